@@ -1,0 +1,34 @@
+# Options of every translation unit. `-ffp-contract=off` and no fast-math: the
+# same source gives the same picture, whoever compiles it.
+if(MSVC)
+  target_compile_options(lightwalk INTERFACE /W4 /permissive- /utf-8 /fp:precise)
+else()
+  target_compile_options(
+    lightwalk INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                        -ffp-contract=off -fno-math-errno)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # A note on how eight lanes are passed: they never leave a program.
+    target_compile_options(lightwalk INTERFACE -Wno-psabi)
+  endif()
+  if(LIGHTWALK_WARNINGS_AS_ERRORS)
+    target_compile_options(lightwalk INTERFACE -Werror)
+  endif()
+endif()
+
+if(LIGHTWALK_SANITIZE)
+  add_compile_options(-fsanitize=${LIGHTWALK_SANITIZE}
+                      -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${LIGHTWALK_SANITIZE})
+  if(NOT APPLE)
+    # The sanitizer opens libraries in the program's stead, and only an RPATH
+    # of the old kind is looked at then.
+    add_link_options(-Wl,--disable-new-dtags)
+  endif()
+endif()
+
+# Programs find the image library in their own folder.
+if(APPLE)
+  set(program_folder "@loader_path")
+else()
+  set(program_folder "$ORIGIN")
+endif()

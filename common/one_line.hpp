@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace lightwalk {
+
+/// Control characters, ASCII's and those that UTF-8 writes as C2 80 to C2 9F,
+/// would break the one line that an error is, or command the terminal.
+inline std::string one_line(std::string_view text) {
+  std::string result;
+  unsigned char before = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (before == 0xc2 && byte < 0xa0) result.back() = ' ';
+    const bool control =
+        byte < ' ' || byte == 0x7f || (before == 0xc2 && byte < 0xa0);
+    result += control ? ' ' : c;
+    before = byte;
+  }
+  return result;
+}
+
+/// The text, or its beginning where it is long, never half a character.
+inline std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return std::string(text);
+  while (most > 0 && (text[most] & '\xc0') == '\x80') --most;
+  return std::string(text.substr(0, most)) + "...";
+}
+
+}  // namespace lightwalk

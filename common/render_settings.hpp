@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace lightwalk {
+
+/// How directions over a diffuse surface are drawn.
+enum class Sampling { cosine, uniform };
+
+/// No path has more bounces than this, whatever it was allowed.
+inline constexpr int bounce_cap = 4096;
+
+/// What a render is made with, beside its scene.
+struct RenderSettings {
+  int samples_per_pixel = 64;
+  int max_bounces = bounce_cap;
+  std::uint64_t seed = 1;
+  Sampling sampling = Sampling::cosine;
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,34 @@
+#pragma once
+
+// A scene may ask for what the course has not come to yet. Then the program
+// says so by name, instead of painting a wrong picture.
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace lightwalk {
+
+/// A word of the scene format, and the stage that introduces what it means.
+struct Introduction {
+  std::string_view word;
+  int stage;
+};
+
+/// What a program can render: everything up to its own stage.
+struct Syllabus {
+  int stage;
+  std::span<const Introduction> introductions;
+
+  /// The stage that introduces `word`, if that is still to come.
+  std::optional<int> still_to_come(std::string_view word) const {
+    for (const Introduction& introduction : introductions) {
+      if (introduction.word == word && introduction.stage > stage) {
+        return introduction.stage;
+      }
+    }
+    return std::nullopt;
+  }
+};
+
+}  // namespace lightwalk

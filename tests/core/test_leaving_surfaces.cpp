@@ -1,0 +1,225 @@
+// A ray that leaves a surface must not meet it again at once, wherever the
+// surface is and however large, and must not start so far off that it misses
+// what touches the surface.
+//
+// The offset is 2^-16 of the numbers that a hit is made from. A shape of 1 mm
+// at 10 km would be offset by more than itself: floats cannot describe it
+// there. So shapes are tested wherever the offset is at most a tenth of them.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "common/frame.hpp"
+#include "common/geometry.hpp"
+#include "tests/core/vectors.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+
+namespace {
+
+const Material material;
+
+template <class Test>
+void for_each_size_and_place(Test test) {
+  Random random(1, 0, 0);
+  for (float size = 1e-3f; size < 2e4f; size *= 10) {
+    for (const float away : {0.0f, 0.1f, 1.0f, 10.0f, 100.0f, 1e3f, 1e4f}) {
+      if (surface_offset * away > 0.1f * size) continue;
+      INFO("size " << size << ", at a distance of " << away);
+      test(size, away * random_direction(random), random);
+    }
+  }
+}
+
+/// Above the surface with this normal; a third of them nearly within it.
+Vec3 direction_above(const Vec3& normal, Random& random) {
+  for (;;) {
+    Vec3 direction = random_direction(random);
+    if (random.uniform() < 0.33f) {
+      const float height = std::pow(10.0f, -7 * random.uniform());
+      direction -= dot(direction, normal) * normal;
+      direction = normalize(normalize(direction) + height * normal);
+    }
+    if (dot(direction, normal) < 0) direction = -direction;
+    if (dot(direction, normal) > 0) return direction;
+  }
+}
+
+/// How many of some rays that leave the hit come back to the geometry.
+int returning(const Geometry& geometry, const Hit& hit, const Vec3& side,
+              Random& random) {
+  int count = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Vec3 direction = direction_above(side, random);
+    count += geometry.nearest_hit(spawn_ray(hit, direction)).has_value();
+  }
+  return count;
+}
+
+/// Hits the only, flat shape from both sides at random points.
+void check_flat(const Geometry& geometry, const Flat& flat, float size,
+                bool triangle, Random& random) {
+  int hits = 0, again = 0;
+  for (int i = 0; i < 100; ++i) {
+    Vec2 u = random.uniform_2d();
+    if (triangle && u.x + u.y > 1) u = 1.0f - u;
+    const Vec3 target = flat.corner + u.x * flat.edge_u + u.y * flat.edge_v;
+    const Vec3 origin = target + 3 * size * random_direction(random);
+    const auto hit =
+        geometry.nearest_hit({origin, normalize(target - origin)});
+    if (!hit) continue;
+    ++hits;
+    again += returning(geometry, *hit, hit->normal, random);
+    again += returning(geometry, *hit, -hit->normal, random);
+  }
+  CHECK(hits > 90);
+  CHECK(again == 0);
+}
+
+}  // namespace
+
+TEST_CASE("no ray that leaves a plane meets it again") {
+  for_each_size_and_place([](float size, const Vec3& place, Random& random) {
+    const Vec3 normal = random_direction(random);
+    Geometry geometry;
+    geometry.add(Plane{normal, -dot(normal, place), &material});
+    int hits = 0, again = 0;
+    for (int i = 0; i < 100; ++i) {
+      const Vec3 origin = place + random_position(random, size);
+      const auto hit =
+          geometry.nearest_hit({origin, random_direction(random)});
+      if (!hit) continue;
+      ++hits;
+      again += returning(geometry, *hit, hit->normal, random);
+      again += returning(geometry, *hit, -hit->normal, random);
+    }
+    CHECK(hits > 20);
+    CHECK(again == 0);
+  });
+}
+
+TEST_CASE("no ray that leaves a rectangle meets it again") {
+  for_each_size_and_place([](float size, const Vec3& place, Random& random) {
+    const Rectangle shape(place, size * random_direction(random),
+                          size * random_direction(random), &material);
+    Geometry geometry;
+    geometry.add(shape);
+    check_flat(geometry, shape, size, false, random);
+  });
+}
+
+TEST_CASE("no ray that leaves a triangle meets it again") {
+  for_each_size_and_place([](float size, const Vec3& place, Random& random) {
+    const Triangle shape(place, size * random_direction(random),
+                         size * random_direction(random), &material);
+    Geometry geometry;
+    geometry.add(shape);
+    check_flat(geometry, shape, size, true, random);
+  });
+}
+
+TEST_CASE("no ray that leaves a sphere outwards meets it again") {
+  for_each_size_and_place([](float size, const Vec3& place, Random& random) {
+    Geometry geometry;
+    geometry.add(Sphere{place, size, &material});
+    int hits = 0, again = 0;
+    for (int i = 0; i < 100; ++i) {
+      const Vec3 origin = place + 4 * size * random_direction(random);
+      const Vec3 target = place + 0.7f * size * random_direction(random);
+      const auto hit =
+          geometry.nearest_hit({origin, normalize(target - origin)});
+      if (!hit) continue;
+      ++hits;
+      again += returning(geometry, *hit, hit->normal, random);
+    }
+    CHECK(hits > 90);
+    CHECK(again == 0);
+  });
+}
+
+// From the depth e below the surface at an angle whose cosine to the inward
+// normal is c, the way to the far side is
+//   t = (r - e) c + sqrt(r^2 - (r - e)^2 (1 - c^2)),
+// which is 2 r c without the offset e. Rounding moves the start by a 256th of
+// e, and the root by up to sqrt(r / 2e) / 256 of it.
+TEST_CASE("a ray that leaves a sphere inwards meets its far side") {
+  for_each_size_and_place([](float size, const Vec3& place, Random& random) {
+    Geometry geometry;
+    geometry.add(Sphere{place, size, &material});
+    const double r = static_cast<double>(size);
+    int missed = 0, wrong = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3 origin = place + random_position(random, 0.5f * size);
+      const auto hit =
+          geometry.nearest_hit({origin, random_direction(random)});
+      REQUIRE(hit);
+      const Vec3 direction = direction_above(-hit->normal, random);
+      const auto far = geometry.nearest_hit(spawn_ray(*hit, direction));
+      missed += !far;
+      if (!far) continue;
+      const double c = -static_cast<double>(dot(hit->normal, direction));
+      const double e =
+          0x1p-16 * static_cast<double>(max_abs_component(place) + size);
+      const double expected =
+          (r - e) * c +
+          std::sqrt(r * r - (r - e) * (r - e) * (1 - c * c));
+      const double error =
+          std::abs(static_cast<double>(far->distance) - expected);
+      wrong += !(error < 4 * e);
+    }
+    CHECK(missed == 0);
+    CHECK(wrong == 0);
+  });
+}
+
+TEST_CASE("the offset is in proportion to the numbers of the hit") {
+  Geometry geometry;
+  geometry.add(Sphere{{0, 0, 0}, 1, &material});
+  const auto hit = geometry.nearest_hit({{0, 5, 0}, {0, -1, 0}});
+  REQUIRE(hit);
+  CHECK(leave(*hit, {0, 1, 0}) == Near{{0, 1 + 0x1p-16f, 0}, 0x1p-22f});
+  CHECK(leave(*hit, {0, -1, 0}) == Near{{0, 1 - 0x1p-16f, 0}, 0x1p-22f});
+  CHECK(spawn_ray(*hit, {0, 1, 0}).direction == Vec3(0, 1, 0));
+
+  for_each_size_and_place([](float size, const Vec3& place, Random& random) {
+    Geometry ball;
+    ball.add(Sphere{place, size, &material});
+    const Vec3 origin = place + 3 * size * random_direction(random);
+    const auto near = ball.nearest_hit({origin, normalize(place - origin)});
+    REQUIRE(near);
+    const float offset =
+        length(leave(*near, near->normal) - near->position);
+    CHECK(offset > 0);
+    CHECK(offset <= 0x1p-15f * (size + length(place)));
+  });
+}
+
+// A ball of radius r on the floor is d^2 / 2r above it at a distance d from
+// the point where it stands: at r/50 that is r/5000, still more than the
+// offset of a hit within the box, 2^-16.
+TEST_CASE("no light leaks under a ball that stands on the floor") {
+  constexpr float r = 0.3f;
+  Geometry geometry;
+  geometry.add(Plane{{0, 1, 0}, 1, &material});
+  geometry.add(Sphere{{-0.5f, -1 + r, 0.25f}, r, &material});
+  for (const float share : {0.02f, 0.05f, 0.2f, 0.9f}) {
+    for (int i = 0; i < 16; ++i) {
+      const float phi = two_pi * static_cast<float>(i) / 16;
+      const Vec3 point = Vec3(-0.5f, -1, 0.25f) +
+                         share * r * Vec3(std::cos(phi), 0, std::sin(phi));
+      const Vec3 from = off_surface(point, {0, 1, 0}, 1, {0, 1, 0});
+      CAPTURE(share);
+      CAPTURE(phi);
+      CHECK_FALSE(geometry.visible(from, from + Vec3(0, 5, 0)));
+    }
+  }
+}
+
+TEST_CASE("the normal towards a direction is on the direction's side") {
+  Hit hit{};
+  hit.normal = {0, 1, 0};
+  CHECK(normal_towards(hit, {0.6f, 0.8f, 0}) == Vec3(0, 1, 0));
+  CHECK(normal_towards(hit, {0.6f, -0.8f, 0}) == Vec3(0, -1, 0));
+}

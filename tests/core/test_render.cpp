@@ -1,0 +1,219 @@
+#include <doctest/doctest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "common/render.hpp"
+#include "tests/core/vectors.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+
+namespace {
+
+/// Radiance that shows which ray and which random numbers it was given.
+struct FakeTracer {
+  Vec3 radiance(const Ray& ray, Random& random) const {
+    ++rays_cast;
+    return {random.uniform(), ray.direction.x, random.uniform()};
+  }
+};
+
+/// Calls `radiance` for each sample, with a camera of the film's size.
+template <class Tracer>
+TileRenderer renderer(const Tracer& tracer, std::uint64_t seed = 1) {
+  return [&tracer, seed](const Tile& tile, Film& film,
+                         const std::atomic<bool>& stop) {
+    Camera camera;
+    camera.width = film.width();
+    camera.height = film.height();
+    render_tile(tracer, camera, seed, tile, film, stop);
+  };
+}
+
+Film rendered(int width, int height, int samples, int threads,
+              std::uint64_t seed = 1) {
+  Film film(width, height);
+  const FakeTracer tracer;
+  const std::atomic<bool> stop{false};
+  RenderProgress progress;
+  render(renderer(tracer, seed), samples, threads, film, stop, progress);
+  return film;
+}
+
+/// How many pixels of two films are not the same to the last bit.
+int different_pixels(const Film& a, const Film& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+    const Pixel& p = a.pixels()[i];
+    const Pixel& q = b.pixels()[i];
+    bool same = p.samples == q.samples;
+    for (int c = 0; c < 3; ++c) {
+      same = same && p.mean[c] == q.mean[c] && p.squares[c] == q.squares[c];
+    }
+    count += !same;
+  }
+  return count;
+}
+
+constexpr std::pair<int, int> sizes[] = {{1, 1},   {7, 5},  {8, 8},
+                                         {9, 17},  {33, 20}, {1, 50},
+                                         {64, 3}};
+
+}  // namespace
+
+// The reference is made here without tiles, passes or threads.
+TEST_CASE("a render is each pixel's samples in order, whatever its size") {
+  for (const auto& [width, height] : sizes) {
+    Film expected(width, height);
+    Camera camera;
+    camera.width = width;
+    camera.height = height;
+    for (int row = 0; row < height; ++row) {
+      for (int column = 0; column < width; ++column) {
+        for (std::uint64_t sample = 0; sample < 5; ++sample) {
+          Random random(1, expected.index(column, row), sample);
+          const Ray ray = camera.ray(column, row, random.uniform_2d());
+          expected.pixel(column, row).add(FakeTracer().radiance(ray, random));
+        }
+      }
+    }
+    CAPTURE(width);
+    CAPTURE(height);
+    CHECK(different_pixels(rendered(width, height, 5, 1), expected) == 0);
+  }
+}
+
+TEST_CASE("any number of threads gives the same bits") {
+  for (const auto& [width, height] : sizes) {
+    const Film one = rendered(width, height, 9, 1);
+    for (const int threads : {0, 2, 7}) {
+      CAPTURE(width);
+      CAPTURE(height);
+      CAPTURE(threads);
+      CHECK(different_pixels(rendered(width, height, 9, threads), one) == 0);
+    }
+  }
+}
+
+TEST_CASE("more threads than tiles do no harm") {
+  CHECK(different_pixels(rendered(8, 8, 3, 64), rendered(8, 8, 3, 1)) == 0);
+  CHECK(different_pixels(rendered(17, 9, 3, 64), rendered(17, 9, 3, 1)) == 0);
+}
+
+TEST_CASE("every pixel gets exactly the samples asked for") {
+  for (const int samples : {1, 2, 3, 64, 65, 100, 1000}) {
+    const Film film = rendered(11, 9, samples, 2);
+    int wrong = 0;
+    for (const Pixel& pixel : film.pixels()) {
+      wrong += pixel.samples != static_cast<std::uint32_t>(samples);
+    }
+    CAPTURE(samples);
+    CHECK(wrong == 0);
+  }
+}
+
+// Were a sample's numbers used again in a later pass, its pixel's variance
+// would still look right, and its mean would not settle.
+TEST_CASE("no pass repeats the numbers of another") {
+  const Film film = rendered(4, 4, 1000, 1);
+  // n uniform numbers: the mean within 4.9 / sqrt(12 n), one of 32 at most.
+  const double bound = 4.9 / std::sqrt(12.0 * 1000);
+  for (const Pixel& pixel : film.pixels()) {
+    CHECK(std::abs(pixel.mean[0] - 0.5) < bound);
+    CHECK(std::abs(pixel.mean[2] - 0.5) < bound);
+    CHECK(pixel.variance(0) == doctest::Approx(1.0 / 12).epsilon(0.15));
+  }
+}
+
+TEST_CASE("the seed changes every pixel") {
+  CHECK(different_pixels(rendered(16, 16, 4, 1, 1),
+                         rendered(16, 16, 4, 1, 2)) == 256);
+}
+
+TEST_CASE("samples that are not finite are counted, and cost no pixel") {
+  struct {
+    Vec3 radiance(const Ray&, Random& random) const {
+      return random.uniform() < 0.25f
+                 ? Vec3(std::numeric_limits<float>::quiet_NaN())
+                 : Vec3(2);
+    }
+  } const tracer;
+  Film film(8, 8);
+  const std::atomic<bool> stop{false};
+  RenderProgress progress;
+  render(renderer(tracer), 100, 2, film, stop, progress);
+  std::uint32_t dropped = 0;
+  for (const Pixel& pixel : film.pixels()) {
+    CHECK(pixel.samples + pixel.dropped == 100);
+    CHECK(pixel.mean[0] == 2);
+    dropped += pixel.dropped;
+  }
+  CHECK(dropped > 64 * 20);
+  CHECK(dropped < 64 * 30);
+}
+
+TEST_CASE("progress counts all samples and the rays of all threads") {
+  for (const int threads : {1, 3}) {
+    Film film(33, 20);
+    const FakeTracer tracer;
+    const std::atomic<bool> stop{false};
+    RenderProgress progress;
+    render(renderer(tracer), 10, threads, film, stop, progress);
+    CAPTURE(threads);
+    CHECK(progress.samples == 33 * 20 * 10);
+    CHECK(progress.rays == 33 * 20 * 10);
+  }
+}
+
+TEST_CASE("a render that is stopped before it began leaves a black film") {
+  Film film(9, 9);
+  const FakeTracer tracer;
+  const std::atomic<bool> stop{true};
+  RenderProgress progress;
+  render(renderer(tracer), 10, 2, film, stop, progress);
+  for (const Pixel& pixel : film.pixels()) CHECK(pixel.samples == 0);
+  for (const Vec3& pixel : film.radiance().pixels) CHECK(pixel == Vec3(0));
+}
+
+// 20 x 20 pixels; stopped in the middle of the pass from 4 to 8 samples, so a
+// pixel has either; and what it has are its first samples, as if they had
+// been all.
+TEST_CASE("a render that is interrupted leaves a whole picture behind") {
+  struct Interrupting {
+    std::atomic<bool>& stop;
+    std::atomic<int>& left;
+
+    Vec3 radiance(const Ray& ray, Random& random) const {
+      if (--left == 0) stop = true;
+      return FakeTracer().radiance(ray, random);
+    }
+  };
+  for (const int threads : {1, 2, 5}) {
+    std::atomic<bool> stop{false};
+    std::atomic<int> left{400 * 6};
+    const Interrupting tracer{stop, left};
+    Film film(20, 20);
+    RenderProgress progress;
+    render(renderer(tracer), 1000, threads, film, stop, progress);
+
+    const Film four = rendered(20, 20, 4, 1), eight = rendered(20, 20, 8, 1);
+    int fewer = 0, more = 0, wrong = 0;
+    for (std::size_t i = 0; i < film.pixels().size(); ++i) {
+      const Pixel& pixel = film.pixels()[i];
+      fewer += pixel.samples == 4;
+      more += pixel.samples == 8;
+      wrong += pixel.mean[0] != four.pixels()[i].mean[0] &&
+               pixel.mean[0] != eight.pixels()[i].mean[0];
+    }
+    CAPTURE(threads);
+    CHECK(fewer > 0);
+    CHECK(more > 0);
+    CHECK(fewer + more == 400);
+    CHECK(wrong == 0);
+  }
+}

@@ -1,0 +1,70 @@
+#pragma once
+
+// Vectors in tests: printed when a check fails, compared with a tolerance, and
+// drawn at random.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "common/random.hpp"
+#include "common/vector.hpp"
+
+namespace lightwalk::tests {
+
+inline std::string text(const Vec3& v) {
+  char line[80];
+  std::snprintf(line, sizeof line, "(%.9g, %.9g, %.9g)",
+                static_cast<double>(v.x), static_cast<double>(v.y),
+                static_cast<double>(v.z));
+  return line;
+}
+
+/// `v == Near{value, tolerance}`: at most so far apart.
+struct Near {
+  Vec3 value;
+  float tolerance;
+
+  friend bool operator==(const Vec3& v, const Near& near) {
+    return length(v - near.value) <= near.tolerance;
+  }
+};
+
+/// Uniform over the unit sphere.
+inline Vec3 random_direction(Random& random) {
+  const Vec2 u = random.uniform_2d();
+  const float z = 1 - 2 * u.x;
+  const float radius = std::sqrt(std::max(0.0f, 1 - z * z));
+  return normalize(Vec3(radius * std::cos(two_pi * u.y),
+                        radius * std::sin(two_pi * u.y), z));
+}
+
+/// Uniform in the cube [-size, size)^3.
+inline Vec3 random_position(Random& random, float size) {
+  const Vec2 u = random.uniform_2d();
+  return size * (2.0f * Vec3(u.x, u.y, random.uniform()) - 1.0f);
+}
+
+}  // namespace lightwalk::tests
+
+namespace doctest {
+
+template <>
+struct StringMaker<lightwalk::Vec3> {
+  static String convert(const lightwalk::Vec3& v) {
+    return lightwalk::tests::text(v).c_str();
+  }
+};
+
+template <>
+struct StringMaker<lightwalk::tests::Near> {
+  static String convert(const lightwalk::tests::Near& near) {
+    return (lightwalk::tests::text(near.value) + " +- " +
+            std::to_string(near.tolerance))
+        .c_str();
+  }
+};
+
+}  // namespace doctest

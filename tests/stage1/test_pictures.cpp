@@ -1,0 +1,41 @@
+// Whole pictures against each other: no number is known in advance, but two
+// ways to compute the same picture must agree.
+
+#include <doctest/doctest.h>
+
+#include "stages/1_diffuse/path_tracer.hpp"
+#include "support/comparisons.hpp"
+#include "support/renders.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using stage1::PathTracer;
+
+TEST_CASE("uniform and cosine sampling paint the same picture") {
+  const Scene scene = scene_file("cornell_box_ceiling_diffuse");
+  RenderSettings settings;
+  settings.samples_per_pixel = 512;
+  settings.max_bounces = 4;
+  settings.seed = 7;
+  const RenderResult cosine = render_scene<PathTracer>(scene, settings);
+  settings.sampling = Sampling::uniform;
+  const auto uniform = renderer<PathTracer>(scene, settings);
+  check_same(uniform, 256, cosine);
+}
+
+TEST_CASE("the same bits for any number of threads, other noise for a seed") {
+  const Scene scene = scene_file("cornell_box_ceiling_diffuse", 30, 21);
+  RenderSettings settings;
+  settings.samples_per_pixel = 5;
+  const RenderResult one = render_scene<PathTracer>(scene, settings, 1);
+  for (const int threads : {1, 2, 7}) {
+    CAPTURE(threads);
+    const RenderResult again =
+        render_scene<PathTracer>(scene, settings, threads);
+    CHECK(again.radiance.pixels == one.radiance.pixels);
+    CHECK(again.variance.pixels == one.variance.pixels);
+  }
+  settings.seed = 2;
+  const RenderResult other = render_scene<PathTracer>(scene, settings, 2);
+  CHECK(other.radiance.pixels != one.radiance.pixels);
+}

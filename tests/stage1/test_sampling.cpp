@@ -1,0 +1,109 @@
+// The samplers against the densities they claim, and both against the BRDF.
+
+#include <doctest/doctest.h>
+
+#include "stages/1_diffuse/path_tracer.hpp"
+#include "support/hemisphere.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using namespace lightwalk::stage1;
+
+TEST_CASE("uniform directions are unit vectors above the surface") {
+  check_directions(sample_uniform_hemisphere);
+}
+
+TEST_CASE("cosine directions are unit vectors above the surface") {
+  check_directions(sample_cosine_hemisphere);
+}
+
+// Equal solid angles are equal steps of the cosine: P(cos < c) = c.
+TEST_CASE("uniform directions fill the hemisphere evenly") {
+  for (const Vec3& normal : test_normals(4)) {
+    CAPTURE(normal.x);
+    CAPTURE(normal.y);
+    CAPTURE(normal.z);
+    CHECK(hemisphere_p_value(sample_uniform_hemisphere, normal,
+                             [](double c) { return c; }) > significance);
+  }
+}
+
+// P(cos < c) = integral of 2 c' from 0 to c = c^2.
+TEST_CASE(
+    "cosine directions fill the hemisphere in proportion to the cosine") {
+  for (const Vec3& normal : test_normals(4)) {
+    CAPTURE(normal.x);
+    CAPTURE(normal.y);
+    CAPTURE(normal.z);
+    CHECK(hemisphere_p_value(sample_cosine_hemisphere, normal,
+                             [](double c) { return c * c; }) > significance);
+  }
+}
+
+// Each density over the hemisphere: the midpoint rule in cos(theta), where
+// the solid angle of a ring is 2 pi times its step.
+TEST_CASE("the densities integrate to 1 over the hemisphere") {
+  double uniform = 0, cosine = 0;
+  constexpr int rings = 1000;
+  for (int i = 0; i < rings; ++i) {
+    const float cos_theta = (static_cast<float>(i) + 0.5f) / rings;
+    uniform += static_cast<double>(uniform_hemisphere_pdf() * two_pi) / rings;
+    cosine += static_cast<double>(cosine_hemisphere_pdf(cos_theta) * two_pi) /
+              rings;
+  }
+  CHECK(uniform == doctest::Approx(1).epsilon(1e-5));
+  CHECK(cosine == doctest::Approx(1).epsilon(1e-5));
+}
+
+TEST_CASE("the BRDF is kd / pi") {
+  Material material;
+  material.kd = {0.9f, 0.5f, 0.1f};
+  const Vec3 brdf = evaluate(material);
+  CHECK(brdf.x == doctest::Approx(0.9 / 3.14159265));
+  CHECK(brdf.y == doctest::Approx(0.5 / 3.14159265));
+  CHECK(brdf.z == doctest::Approx(0.1 / 3.14159265));
+}
+
+TEST_CASE("the simplified weights are f cos / p") {
+  Material material;
+  material.kd = {0.9f, 0.5f, 0.1f};
+  const Vec3 normal = normalize(Vec3(1, 2, -3));
+  Random random(4, 0, 0);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 u = random.uniform_2d();
+    for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
+      CAPTURE(sampling == Sampling::uniform);
+      const BsdfSample one = sample(material, normal, sampling, u);
+      const float cos_theta = dot(normal, one.wi);
+      const float pdf = sampling == Sampling::uniform
+                            ? uniform_hemisphere_pdf()
+                            : cosine_hemisphere_pdf(cos_theta);
+      const Vec3 full = unsimplified_weight(material, cos_theta, pdf);
+      for (int c = 0; c < 3; ++c) {
+        REQUIRE(one.weight[c] == doctest::Approx(full[c]).epsilon(1e-4));
+      }
+    }
+  }
+}
+
+// The mean weight is the share of light that the surface returns.
+TEST_CASE("the mean weight is the albedo kd") {
+  Material material;
+  material.kd = {0.9f, 0.5f, 0.1f};
+  Random random(6, 0, 0);
+  for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
+    CAPTURE(sampling == Sampling::uniform);
+    double sum[3] = {0, 0, 0};
+    constexpr int samples = 100'000;
+    for (int i = 0; i < samples; ++i) {
+      const Vec2 u = random.uniform_2d();
+      const Vec3 weight = sample(material, {0, 1, 0}, sampling, u).weight;
+      for (int c = 0; c < 3; ++c) sum[c] += static_cast<double>(weight[c]);
+    }
+    for (int c = 0; c < 3; ++c) {
+      // sigma of 2 cos is 1/sqrt(3); 4.4 sigma of 100,000 samples are 0.8 %.
+      CHECK(sum[c] / samples ==
+            doctest::Approx(material.kd[c]).epsilon(0.008));
+    }
+  }
+}

@@ -1,0 +1,70 @@
+// Stage 2 against stage 1: next-event estimation changes the noise of a
+// picture, and nothing else.
+
+#include <doctest/doctest.h>
+
+#include "stages/2_next_event/path_tracer.hpp"
+#include "support/comparisons.hpp"
+#include "support/renders.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+
+TEST_CASE("asking the lamps gives the picture that finding them gives") {
+  struct Case {
+    std::string scene;
+    int max_bounces;
+    bool calmer;  // whether there is a lamp to ask
+  };
+  const Case cases[] = {{"cornell_box_lamp_diffuse", 1, true},
+                        {"cornell_box_lamp_diffuse", 2, true},
+                        {"cornell_box_lamp_diffuse", 8, true},
+                        {"cornell_box_sphere_lamp_diffuse", 2, true},
+                        {"cornell_box_ceiling_diffuse", 2, false}};
+  for (const Case& one : cases) {
+    CAPTURE(one.scene);
+    CAPTURE(one.max_bounces);
+    const Scene scene = scene_file(one.scene, 24, 24);
+    RenderSettings settings;
+    settings.max_bounces = one.max_bounces;
+    settings.samples_per_pixel = 1024;
+    const RenderResult found =
+        render_scene<stage1::PathTracer>(scene, settings);
+    check_same(renderer<stage2::PathTracer>(scene, settings), 128, found);
+    if (!one.calmer) continue;
+    settings.samples_per_pixel = 128;
+    const RenderResult asked =
+        render_scene<stage2::PathTracer>(scene, settings);
+    const double ratio = variance_ratio(asked, found);
+    MESSAGE(one.scene, ", ", one.max_bounces,
+            " bounces: variance of stage 2 / stage 1 = ", ratio);
+    CHECK(ratio < 0.5);
+  }
+}
+
+TEST_CASE("the same bits for any number of threads, other noise for a seed") {
+  const Scene scene = scene_file("cornell_box_lamp_diffuse", 30, 21);
+  RenderSettings settings;
+  settings.samples_per_pixel = 5;
+  const auto one = render_scene<stage2::PathTracer>(scene, settings, 1);
+  for (const int threads : {1, 2, 7}) {
+    CAPTURE(threads);
+    const auto again =
+        render_scene<stage2::PathTracer>(scene, settings, threads);
+    CHECK(again.radiance.pixels == one.radiance.pixels);
+    CHECK(again.variance.pixels == one.variance.pixels);
+  }
+  settings.seed = 2;
+  const auto other = render_scene<stage2::PathTracer>(scene, settings, 2);
+  CHECK(other.radiance.pixels != one.radiance.pixels);
+}
+
+TEST_CASE("uniform and cosine sampling paint the same picture") {
+  const Scene scene = scene_file("cornell_box_point_diffuse", 24, 24);
+  RenderSettings settings;
+  settings.samples_per_pixel = 512;
+  settings.max_bounces = 4;
+  const auto cosine = render_scene<stage2::PathTracer>(scene, settings);
+  settings.sampling = Sampling::uniform;
+  check_same(renderer<stage2::PathTracer>(scene, settings), 256, cosine);
+}

@@ -1,0 +1,83 @@
+#pragma once
+
+// Tests of any sampler of the hemisphere against the density it claims.
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <vector>
+
+#include "common/random.hpp"
+#include "common/vector.hpp"
+#include "support/chi_squared.hpp"
+
+namespace lightwalk::tests {
+
+/// Along every axis, both ways, and `count` random ones.
+inline std::vector<Vec3> test_normals(int count) {
+  std::vector<Vec3> normals = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                               {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+  Random random(99, 0, 0);
+  while (count-- > 0) {
+    const Vec2 u = random.uniform_2d();
+    const float z = 2 * u.x - 1;
+    const float r = std::sqrt(1 - z * z);
+    normals.push_back(
+        {r * std::cos(two_pi * u.y), r * std::sin(two_pi * u.y), z});
+  }
+  return normals;
+}
+
+using HemisphereSampler = std::function<Vec3(const Vec3& normal, Vec2 u)>;
+
+inline void check_directions(const HemisphereSampler& sampler) {
+  for (const Vec3& normal : test_normals(1000)) {
+    for (const Vec2 u : {Vec2(0, 0), Vec2(0, 0.9999999f), Vec2(0.9999999f, 0),
+                         Vec2(0.5f, 0.25f), Vec2(0.3f, 0.7f)}) {
+      const Vec3 wi = sampler(normal, u);
+      CAPTURE(normal.x);
+      CAPTURE(normal.y);
+      CAPTURE(normal.z);
+      CAPTURE(u.x);
+      CAPTURE(u.y);
+      REQUIRE(std::abs(length(wi) - 1) < 1e-5f);
+      REQUIRE(dot(wi, normal) > -1e-6f);
+    }
+  }
+}
+
+/// Directions sorted into cells of equal solid angle: bins of the cosine times
+/// bins of the azimuth about the normal. `cumulative(c)` is the probability
+/// that a direction's cosine lies below c; the azimuth is uniform.
+inline double hemisphere_p_value(
+    const HemisphereSampler& sampler, const Vec3& normal,
+    const std::function<double(double)>& cumulative) {
+  constexpr int rings = 12, sectors = 16, samples = 200'000;
+  // Axes of the test's own: the code under test must not judge itself.
+  const Vec3 aside =
+      std::abs(normal.x) < 0.5f ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  const Vec3 x = normalize(cross(aside, normal)), y = cross(normal, x);
+  std::vector<double> observed(rings * sectors), expected(rings * sectors);
+  Random random(5, 0, 0);
+  for (int i = 0; i < samples; ++i) {
+    const Vec2 u = random.uniform_2d();
+    const Vec3 wi = sampler(normal, u);
+    const float turn = std::atan2(dot(wi, y), dot(wi, x)) / two_pi + 0.5f;
+    const int ring =
+        std::clamp(static_cast<int>(dot(wi, normal) * rings), 0, rings - 1);
+    const int sector =
+        std::clamp(static_cast<int>(turn * sectors), 0, sectors - 1);
+    observed[static_cast<std::size_t>(ring * sectors + sector)] += 1;
+  }
+  for (int ring = 0; ring < rings; ++ring) {
+    const double share = cumulative((ring + 1.0) / rings) -
+                         cumulative(static_cast<double>(ring) / rings);
+    for (int sector = 0; sector < sectors; ++sector) {
+      expected[static_cast<std::size_t>(ring * sectors + sector)] =
+          samples * share / sectors;
+    }
+  }
+  return chi_squared_test(observed, expected).p_value;
+}
+
+}  // namespace lightwalk::tests

@@ -1,0 +1,198 @@
+#pragma once
+
+// # Are two pictures the same?
+//
+// Two renders of one scene are never equal: each pixel is a mean of random
+// samples. They are the same if they differ by no more than their own noise
+// explains, and how large that noise is, the variance beside each mean says.
+//
+// A single pixel's few samples are nowhere near a normal distribution: one
+// bright path that one of the two happened to find is enough to fail it. So
+// whole regions are compared, over which such paths average out: the image,
+// for an error that is everywhere, and tiles of 8x8 and 4x4 pixels, for one
+// that is in one place. A missing caustic is 3 % of the image and 64 % of its
+// tile.
+//
+// For each region and channel, $d$ is the difference of the two means, and
+//
+// $$s^2 = \sum \frac{\max(v_a, v_b)}{|T|^2 n_a} + \sum \frac{v_b}{|T|^2 n_b},
+// \qquad z = \frac{\max(0, |d| - \text{band})}{s}$$
+//
+// with $v$ the variance of one sample, $n$ the samples per pixel and $|T|$
+// the pixels of the region. The larger variance counts, because a picture
+// that missed the rare bright paths does not know how noisy it is. The band
+// is what may differ for reasons that are not errors: the last digits of
+// another compiler, and the reference's own error.
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/render_result.hpp"
+
+namespace lightwalk {
+
+/// A part of an image, in pixels.
+struct Region {
+  int left, top, width, height;
+  bool operator==(const Region&) const = default;
+};
+
+/// How much of a region's mean may differ without being looked at.
+struct Bands {
+  double image = 0.01;      ///< of the image's mean, for the whole image
+  double tile = 0.02;       ///< of the tile's mean, for a tile
+  double floor = 1e-4;      ///< of the image's mean, everywhere
+  double z_critical = 4.4;  ///< beyond it a region differs
+};
+
+/// What one comparison of one region in one channel has found.
+struct RegionDifference {
+  Region region{};
+  int channel = 0;
+  double test = 0, reference = 0;  ///< means over the region
+  double sigma = 0;                ///< standard deviation expected of them
+  double z = 0;                    ///< beyond the band, in units of sigma
+
+  /// Written so that what is not a number is not the same.
+  bool same(const Bands& bands) const { return z <= bands.z_critical; }
+  /// 1 where the test's mean is larger, -1 where it is smaller.
+  int sign() const { return test < reference ? -1 : 1; }
+};
+
+/// The mean of an image's channel over a region.
+inline double mean_over(const Image& image, const Region& region,
+                        int channel) {
+  double sum = 0;
+  for (int y = region.top; y < region.top + region.height; ++y) {
+    for (int x = region.left; x < region.left + region.width; ++x) {
+      sum += static_cast<double>(image.at(x, y)[channel]);
+    }
+  }
+  return sum / (region.width * region.height);
+}
+
+/// Compares one region in one channel. Both images have variances.
+inline RegionDifference compare_region(const RenderResult& test,
+                                       const RenderResult& reference,
+                                       const Region& region, int channel,
+                                       double band) {
+  double test_variance = 0, reference_variance = 0;
+  for (int y = region.top; y < region.top + region.height; ++y) {
+    for (int x = region.left; x < region.left + region.width; ++x) {
+      const auto a = static_cast<double>(test.variance.at(x, y)[channel]);
+      const auto b =
+          static_cast<double>(reference.variance.at(x, y)[channel]);
+      test_variance += a < b ? b : a;
+      reference_variance += b;
+    }
+  }
+  const double pixels = region.width * region.height;
+  RegionDifference result{region,
+                          channel,
+                          mean_over(test.radiance, region, channel),
+                          mean_over(reference.radiance, region, channel),
+                          0,
+                          0};
+  result.sigma =
+      std::sqrt(test_variance / test.info.samples_per_pixel +
+                reference_variance / reference.info.samples_per_pixel) /
+      pixels;
+  const double excess = std::abs(result.test - result.reference) - band;
+  result.z = excess <= 0 ? 0 : excess / result.sigma;
+  return result;
+}
+
+/// The image, and its tiles of 8x8 and 4x4 pixels; at the edges smaller ones.
+inline std::vector<Region> regions_of(int width, int height) {
+  std::vector<Region> regions{{0, 0, width, height}};
+  for (const int size : {8, 4}) {
+    for (int top = 0; top < height; top += size) {
+      for (int left = 0; left < width; left += size) {
+        regions.push_back({left, top, std::min(size, width - left),
+                           std::min(size, height - top)});
+      }
+    }
+  }
+  return regions;
+}
+
+/// Every region in every channel, the image's own three first.
+inline std::vector<RegionDifference> compare_regions(
+    const RenderResult& test, const RenderResult& reference,
+    const Bands& bands) {
+  const Image& image = reference.radiance;
+  const std::vector<Region> regions = regions_of(image.width, image.height);
+  std::vector<RegionDifference> result;
+  for (const Region& region : regions) {
+    for (int channel = 0; channel < 3; ++channel) {
+      const double whole = std::abs(mean_over(image, regions[0], channel));
+      const double own = std::abs(mean_over(image, region, channel));
+      const double share = region == regions[0] ? bands.image : bands.tile;
+      result.push_back(compare_region(test, reference, region, channel,
+                                      share * own + bands.floor * whole));
+    }
+  }
+  return result;
+}
+
+/// Renders a picture anew: with this many samples per pixel, and this seed.
+using Rerender = std::function<RenderResult(int samples, std::uint64_t seed)>;
+
+/// The outcome of a comparison, all regions and those that differ for sure.
+struct Comparison {
+  std::vector<RegionDifference> all;        ///< of the first render
+  std::vector<RegionDifference> suspected;  ///< beyond z_critical at first
+  std::vector<RegionDifference> confirmed;  ///< and again with a fresh seed
+  RenderResult test;                        ///< the last render
+
+  bool same() const { return confirmed.empty(); }
+};
+
+// A few thousand regions are compared in a run, and at 4.4 sigma one in a
+// hundred thousand is off by chance alone. Hence a second look, at fresh
+// samples and four times as many: a region fails only if it is off again, and
+// to the same side. Chance does that once in some million runs.
+
+/// Compares a program's render with a reference; renders once more, with four
+/// times the samples and another seed, if a region looks different.
+inline Comparison compare_with_reference(const Rerender& rerender,
+                                         int samples, std::uint64_t seed,
+                                         const RenderResult& reference,
+                                         const Bands& bands = {}) {
+  Comparison result;
+  result.test = rerender(samples, seed);
+  result.all = compare_regions(result.test, reference, bands);
+  for (const RegionDifference& one : result.all) {
+    if (!one.same(bands)) result.suspected.push_back(one);
+  }
+  if (result.suspected.empty()) return result;
+  result.test = rerender(4 * samples, seed + 0x9e3779b9);
+  const auto again = compare_regions(result.test, reference, bands);
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    if (!result.all[i].same(bands) && !again[i].same(bands) &&
+        again[i].sign() == result.all[i].sign()) {
+      result.confirmed.push_back(again[i]);
+    }
+  }
+  return result;
+}
+
+/// Sum of the test's variances over the reference's, all channels.
+inline double variance_ratio(const RenderResult& test,
+                             const RenderResult& reference) {
+  double a = 0, b = 0;
+  for (std::size_t i = 0; i < reference.variance.pixels.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      a += static_cast<double>(test.variance.pixels[i][c]);
+      b += static_cast<double>(reference.variance.pixels[i][c]);
+    }
+  }
+  return a / b;
+}
+
+}  // namespace lightwalk

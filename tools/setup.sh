@@ -1,0 +1,55 @@
+#!/bin/sh
+# Installs what Lightwalk is built from and is not there yet: from Debian's or
+# Ubuntu's packages, or from Homebrew. Asks nothing, and does nothing when
+# nothing is missing. With SETUP=print it only says what it would run, and
+# stops with exit code 1 if that is anything.
+set -eu
+
+debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
+  openimageio-tools libcli11-dev libtomlplusplus-dev doctest-dev
+  libbenchmark-dev python3 python3-jsonschema"
+brew_packages="cmake ninja glm openimageio cli11 tomlplusplus doctest
+  google-benchmark"
+
+# run COMMAND: prints it, and runs it unless SETUP=print.
+run() {
+  echo "setup: $*" >&2
+  [ "${SETUP:-install}" = print ] || "$@"
+}
+
+if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then
+  installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' \
+    $debian_packages g++ 2>/dev/null | sed -n 's/ installed$//p')
+  missing=
+  for package in $debian_packages; do
+    echo "$installed" | grep -qxF "$package" || missing="$missing $package"
+  done
+  [ -n "${CXX:-}" ] || command -v c++ >/dev/null || missing="$missing g++"
+  [ -n "$missing" ] || exit 0
+  as_root=
+  [ "$(id -u)" = 0 ] || as_root=sudo
+  run $as_root apt-get update -q
+  run $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y \
+    --no-install-recommends $missing
+elif command -v brew >/dev/null; then
+  prefix=$(brew --prefix)
+  missing=
+  for package in $brew_packages; do
+    [ -d "$prefix/opt/$package" ] || missing="$missing $package"
+  done
+  [ -n "$missing" ] || exit 0
+  run brew install $missing
+else
+  # No package manager that this script knows: CMake says what is missing.
+  if [ "${SETUP:-install}" = print ] || ! command -v cmake >/dev/null; then
+    cat >&2 <<'TEXT'
+setup: this system has neither apt-get nor Homebrew. Please install:
+  a C++20 compiler, CMake 3.22 or newer, Ninja (optional), GLM, OpenImageIO,
+  CLI11, toml++ 3, doctest, Google Benchmark, Python 3.11 with jsonschema.
+  With vcpkg: `vcpkg install` in this folder reads vcpkg.json.
+TEXT
+    exit 1
+  fi
+  exit 0
+fi
+[ "${SETUP:-install}" != print ]
