@@ -4,10 +4,14 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include <cstdio>
 #include <memory>
 
 #include "common/image_library.hpp"
+
+#ifndef _WIN32
+#include <fcntl.h>
+#include <unistd.h>
+#endif
 
 namespace {
 
@@ -128,14 +132,15 @@ std::string write_png(const std::string& path, const Image& image) {
 }
 
 /// What is wrong with the header, before a byte is allocated for it.
-std::string check(const ImageSpec& spec) {
+std::string check(const ImageSpec& spec, std::int64_t most) {
   if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1) {
     return "it is not a flat image";
   }
   const std::int64_t pixels = std::int64_t{spec.width} * spec.height;
-  if (spec.width > 65536 || spec.height > 65536 || pixels > most_pixels) {
+  if (pixels > most) {
     return "its header claims " + std::to_string(spec.width) + " x " +
-           std::to_string(spec.height) + " pixels, which is too large";
+           std::to_string(spec.height) + " pixels, more than " +
+           std::to_string(most);
   }
   return "";
 }
@@ -143,7 +148,9 @@ std::string check(const ImageSpec& spec) {
 /// Reads one part into `image`; grey images become three equal channels.
 std::string read_part(ImageInput& in, int number, Image& image) {
   const ImageSpec spec = in.spec(number);
-  if (std::string error = check(spec); !error.empty()) return error;
+  if (std::string error = check(spec, most_pixels); !error.empty()) {
+    return error;
+  }
   int first = spec.channelindex("R");
   const bool colour = first >= 0 && spec.channelindex("G") == first + 1 &&
                       spec.channelindex("B") == first + 2;
@@ -195,11 +202,8 @@ std::string read_texture(const std::string& path,
   auto in = ImageInput::open(path);
   if (!in) return reason(OIIO::geterror(), "it is not an image");
   const ImageSpec spec = in->spec(0);
-  if (std::string error = check(spec); !error.empty()) return error;
-  if (std::int64_t{spec.width} * spec.height > most_texels) {
-    return "it has " + std::to_string(spec.width) + " x " +
-           std::to_string(spec.height) + " pixels, and a texture at most " +
-           std::to_string(most_texels);
+  if (std::string error = check(spec, most_texels); !error.empty()) {
+    return error;
   }
   const int channels = spec.nchannels >= 3 ? 3 : 1;
   const auto pixels = static_cast<std::size_t>(spec.width) *
@@ -220,10 +224,37 @@ std::string read_texture(const std::string& path,
   return "";
 }
 
+/// libpng prints its errors itself, beside those that it returns. While one of
+/// these lives, nobody prints to stderr.
+class QuietStderr {
+ public:
+#ifndef _WIN32
+  QuietStderr() : kept_(dup(STDERR_FILENO)) {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere >= 0) {
+      dup2(nowhere, STDERR_FILENO);
+      close(nowhere);
+    }
+  }
+  ~QuietStderr() {
+    if (kept_ >= 0) {
+      dup2(kept_, STDERR_FILENO);
+      close(kept_);
+    }
+  }
+  QuietStderr(const QuietStderr&) = delete;
+  QuietStderr& operator=(const QuietStderr&) = delete;
+
+ private:
+  int kept_;
+#endif
+};
+
 /// No exception crosses the border between the library and the program.
 template <auto function, class... Arguments>
 std::string guarded(Arguments... arguments) {
   try {
+    const QuietStderr quiet;
     return function(arguments...);
   } catch (const std::bad_alloc&) {
     return "there is not enough memory for it";

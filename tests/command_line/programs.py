@@ -21,6 +21,12 @@ def built_stages():
     return sorted(path.name for path in BUILD.glob("stage[1-9]"))
 
 
+def sanitized():
+    """Whether the programs are sanitizer builds, which reserve terabytes."""
+    cache = (BUILD / "CMakeCache.txt").read_text()
+    return "LIGHTWALK_SANITIZE:STRING=address" in cache
+
+
 def run(program, *arguments, folder=None, **options):
     """Runs a program to its end; what it prints is text."""
     return subprocess.run(

@@ -82,8 +82,9 @@ TEST_CASE("the two random numbers reach every point of a pixel, no further") {
     for (const int row : {0, 77, 254}) {
       CAPTURE(column);
       CAPTURE(row);
-      CHECK(camera.ray(column, row, {1, 1}).direction ==
-            Near{camera.ray(column + 1, row + 1, {0, 0}).direction, rounding});
+      CHECK(
+          camera.ray(column, row, {1, 1}).direction ==
+          Near{camera.ray(column + 1, row + 1, {0, 0}).direction, rounding});
       const Vec3 corner = on_plane(camera.ray(column, row, {0, 0}), -0.5f);
       const Vec3 across = on_plane(camera.ray(column, row, {1, 0}), -0.5f);
       const Vec3 down = on_plane(camera.ray(column, row, {0, 1}), -0.5f);
@@ -91,8 +92,7 @@ TEST_CASE("the two random numbers reach every point of a pixel, no further") {
           on_plane(camera.ray(column, row, {0.25f, 0.75f}), -0.5f);
       CHECK(across - corner == Near{{2.0f / 256, 0, 0}, rounding});
       CHECK(down - corner == Near{{0, -2.0f / 256, 0}, rounding});
-      CHECK(inside - corner ==
-            Near{{0.5f / 256, -1.5f / 256, 0}, rounding});
+      CHECK(inside - corner == Near{{0.5f / 256, -1.5f / 256, 0}, rounding});
     }
   }
 }

@@ -103,8 +103,8 @@ TEST_CASE("a position's coordinates are the s and t that it was made from") {
   const auto shape = slanted<Rectangle>();
   for (const float s : {-1.0f, 0.0f, 0.3f, 1.0f}) {
     for (const float t : {-1.0f, 0.0f, 0.7f, 1.0f}) {
-      const Vec2 found = shape.coordinates(
-          shape.corner + s * shape.edge_u + t * shape.edge_v);
+      const Vec2 found = shape.coordinates(shape.corner + s * shape.edge_u +
+                                           t * shape.edge_v);
       CAPTURE(s);
       CAPTURE(t);
       CHECK(std::abs(found.x - s) <= 2e-6f);
@@ -125,14 +125,17 @@ TEST_CASE("rays behind, beside and within a flat shape do not hit it") {
   CHECK_FALSE(geometry.nearest_hit({{0, 0, 0}, {0.6f, 0.8f, 0}}));
 }
 
-// The tolerance at the edges is in proportion to them and to the ray's way, so
-// a needle of 1e-4 beside an edge of 1e4 keeps its shape.
+// The tolerance at the edges is in proportion to them and to the ray's way,
+// so a needle of 1e-4 beside an edge of 1e4 keeps its shape.
 TEST_CASE("long, thin and tiny flat shapes have sharp edges too") {
   struct Size {
     float u, v;
   };
-  for (const Size size : {Size{1e4f, 1e-4f}, {1e-4f, 1e4f}, {1e-4f, 1e-4f},
-                          {1e4f, 1e4f}, {1e-9f, 1e-9f}}) {
+  for (const Size size : {Size{1e4f, 1e-4f},
+                          {1e-4f, 1e4f},
+                          {1e-4f, 1e-4f},
+                          {1e4f, 1e4f},
+                          {1e-9f, 1e-9f}}) {
     CAPTURE(size.u);
     CAPTURE(size.v);
     const Rectangle shape({0, 0, 0}, {size.u, 0, 0}, {0, size.v, 0},
@@ -151,15 +154,16 @@ TEST_CASE("a slanted flat shape puts its hits on itself") {
   Random random(1, 0, 0);
   int hits = 0;
   for (int i = 0; i < 2000; ++i) {
-    const Rectangle shape(random_position(random, 10),
+    const Rectangle shape{random_position(random, 10),
                           random_position(random, 2),
-                          random_position(random, 2), &material);
+                          random_position(random, 2), &material};
     const Vec3 target = shape.corner + random.uniform() * shape.edge_u +
                         random.uniform() * shape.edge_v;
     const Vec3 origin = random_position(random, 10);
     Geometry geometry;
     geometry.add(shape);
-    const auto hit = geometry.nearest_hit({origin, normalize(target - origin)});
+    const auto hit =
+        geometry.nearest_hit({origin, normalize(target - origin)});
     if (!hit) continue;
     ++hits;
     INFO("corner " << text(shape.corner) << ", u " << text(shape.edge_u)

@@ -102,8 +102,8 @@ TEST_CASE("no ray that leaves a plane meets it again") {
 
 TEST_CASE("no ray that leaves a rectangle meets it again") {
   for_each_size_and_place([](float size, const Vec3& place, Random& random) {
-    const Rectangle shape(place, size * random_direction(random),
-                          size * random_direction(random), &material);
+    const Rectangle shape{place, size * random_direction(random),
+                          size * random_direction(random), &material};
     Geometry geometry;
     geometry.add(shape);
     check_flat(geometry, shape, size, false, random);
@@ -112,8 +112,8 @@ TEST_CASE("no ray that leaves a rectangle meets it again") {
 
 TEST_CASE("no ray that leaves a triangle meets it again") {
   for_each_size_and_place([](float size, const Vec3& place, Random& random) {
-    const Triangle shape(place, size * random_direction(random),
-                         size * random_direction(random), &material);
+    const Triangle shape{place, size * random_direction(random),
+                         size * random_direction(random), &material};
     Geometry geometry;
     geometry.add(shape);
     check_flat(geometry, shape, size, true, random);
@@ -163,8 +163,7 @@ TEST_CASE("a ray that leaves a sphere inwards meets its far side") {
       const double e =
           0x1p-16 * static_cast<double>(max_abs_component(place) + size);
       const double expected =
-          (r - e) * c +
-          std::sqrt(r * r - (r - e) * (r - e) * (1 - c * c));
+          (r - e) * c + std::sqrt(r * r - (r - e) * (r - e) * (1 - c * c));
       const double error =
           std::abs(static_cast<double>(far->distance) - expected);
       wrong += !(error < 4 * e);
@@ -189,8 +188,7 @@ TEST_CASE("the offset is in proportion to the numbers of the hit") {
     const Vec3 origin = place + 3 * size * random_direction(random);
     const auto near = ball.nearest_hit({origin, normalize(place - origin)});
     REQUIRE(near);
-    const float offset =
-        length(leave(*near, near->normal) - near->position);
+    const float offset = length(leave(*near, near->normal) - near->position);
     CHECK(offset > 0);
     CHECK(offset <= 0x1p-15f * (size + length(place)));
   });

@@ -36,8 +36,8 @@ Double3 operator-(const Double3& a, const Double3& b) {
 
 struct Meeting {
   double distance = no_hit;
-  double cosine = 1;     ///< |cos| between ray and normal
-  bool certain = true;   ///< not so near an edge that rounding decides
+  double cosine = 1;    ///< |cos| between ray and normal
+  bool certain = true;  ///< not so near an edge that rounding decides
   ShapeType type = ShapeType::plane;
   std::uint32_t index = 0;
 };
@@ -131,22 +131,22 @@ void add_random_shape(Geometry& geometry, Random& random) {
   const float type = random.uniform();
   const Vec3 position = random_position(random, 5);
   if (type < 0.1f) {
-    geometry.add(Plane{random_direction(random), 5 + 3 * random.uniform(),
-                       &material});
+    geometry.add(
+        Plane{random_direction(random), 5 + 3 * random.uniform(), &material});
   } else if (type < 0.4f) {
     geometry.add(Sphere{position, 0.2f + random.uniform(), &material});
   } else if (type < 0.7f) {
-    geometry.add(Rectangle(position, random_position(random, 3),
-                           random_position(random, 3), &material));
+    geometry.add(Rectangle{position, random_position(random, 3),
+                           random_position(random, 3), &material});
   } else {
-    geometry.add(Triangle(position, random_position(random, 4),
-                          random_position(random, 4), &material));
+    geometry.add(Triangle{position, random_position(random, 4),
+                          random_position(random, 4), &material});
   }
 }
 
 // Distances come from sums of a few products of numbers up to about 20, each
-// rounded to 24 bits, divided by the cosine: within 2^-24 * 20 * 10 / cos. Two
-// surfaces closer together than that may change places.
+// rounded to 24 bits, divided by the cosine: within 2^-24 * 20 * 10 / cos.
+// Two surfaces closer together than that may change places.
 void check_ray(const Geometry& geometry, const Reference& reference,
                const Ray& ray) {
   const std::optional<Hit> hit = geometry.nearest_hit(ray);
@@ -156,8 +156,8 @@ void check_ray(const Geometry& geometry, const Reference& reference,
               << " number " << nearest.index << " of " << geometry.size());
   REQUIRE(hit.has_value() == (nearest.distance < no_hit));
   if (!hit) return;
-  const double error = std::abs(static_cast<double>(hit->distance) -
-                                nearest.distance);
+  const double error =
+      std::abs(static_cast<double>(hit->distance) - nearest.distance);
   const double tolerance = 200 * 0x1p-24 / std::max(nearest.cosine, 1e-3);
   CHECK(error <= tolerance * std::max(1.0, nearest.distance / 20));
   bool same_or_as_near = false;
@@ -201,12 +201,12 @@ TEST_CASE("every lane of every pack is hit, and reported under its number") {
     Geometry geometry;
     std::vector<Material> materials(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-      geometry.add(Sphere{{static_cast<float>(i), 0, 0}, 0.25f,
-                          &materials[i]});
+      geometry.add(
+          Sphere{{static_cast<float>(i), 0, 0}, 0.25f, &materials[i]});
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-      const auto hit = geometry.nearest_hit(
-          {{static_cast<float>(i), 2, 0}, {0, -1, 0}});
+      const auto hit =
+          geometry.nearest_hit({{static_cast<float>(i), 2, 0}, {0, -1, 0}});
       CAPTURE(count);
       CAPTURE(i);
       REQUIRE(hit);

@@ -16,7 +16,8 @@ using namespace lightwalk::tests;
 namespace {
 
 /// Chi-squared of points over a grid of 32 x 32 equal cells.
-void check_uniform_in_square(const std::function<Vec2(std::uint64_t)>& point) {
+void check_uniform_in_square(
+    const std::function<Vec2(std::uint64_t)>& point) {
   constexpr std::size_t side = 32;
   std::vector<double> cells(side * side);
   for (std::uint64_t i = 0; i < 200000; ++i) {
@@ -37,8 +38,9 @@ float first(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample) {
 }  // namespace
 
 // 2^25 draws of 2^24 values: the largest is among them with probability
-// 1 - e^-2, the least too, and with this seed both are. A number that rounds up to 1 would be
-// found just as surely, and makes a square root of 1 - u negative.
+// 1 - e^-2, the least too, and with this seed both are. A number that rounds
+// up to 1 would be found just as surely, and makes 1 - u^2 or a logarithm go
+// wrong in one pixel of thousands.
 TEST_CASE("uniform numbers reach 0 and the last number before 1, never 1") {
   Random random(2, 2, 3);
   float least = 1, largest = 0;
@@ -95,8 +97,8 @@ TEST_CASE("the two numbers of a pair are independent") {
 
 // Both are cut from one 64-bit number. Any bit of the one against any bit of
 // the other: in n pairs they agree n/2 times, with a standard deviation of
-// sqrt(n)/2. The extremes of 24 x 24 comparisons at the significance above lie
-// within 6 deviations; a bit that both share agrees n times, 141 deviations.
+// sqrt(n)/2. At the significance of the other tests the extremes of 24 x 24
+// comparisons lie within 6 deviations; a bit that both share is 141 off.
 TEST_CASE("the two numbers of a pair share no bit") {
   constexpr int n = 20000;
   std::vector<int> agreements(24 * 24);

@@ -60,9 +60,8 @@ int different_pixels(const Film& a, const Film& b) {
   return count;
 }
 
-constexpr std::pair<int, int> sizes[] = {{1, 1},   {7, 5},  {8, 8},
-                                         {9, 17},  {33, 20}, {1, 50},
-                                         {64, 3}};
+constexpr std::pair<int, int> sizes[] = {{1, 1},   {7, 5},  {8, 8}, {9, 17},
+                                         {33, 20}, {1, 50}, {64, 3}};
 
 }  // namespace
 

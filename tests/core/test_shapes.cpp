@@ -139,8 +139,8 @@ TEST_CASE("a small sphere far away is hit where it is") {
 
 TEST_CASE("a sphere too small to be told from its centre has a unit normal") {
   for (const float radius : {1e-6f, 1e-9f, 1e-20f, 1e-30f, 1e-40f}) {
-    const auto hit = meet(Sphere{{0, 0, 0}, radius, &material}, {0, 0, -1},
-                          {0, 0, 1});
+    const auto hit =
+        meet(Sphere{{0, 0, 0}, radius, &material}, {0, 0, -1}, {0, 0, 1});
     if (!hit) continue;
     CAPTURE(radius);
     CHECK(std::abs(length(hit->normal) - 1) <= 1e-6f);
@@ -148,7 +148,7 @@ TEST_CASE("a sphere too small to be told from its centre has a unit normal") {
   }
 }
 
-TEST_CASE("of several shapes the nearest is hit, in whatever order they came") {
+TEST_CASE("the nearest shape is hit, in whatever order they were added") {
   const Sphere near{{0, 0, 3}, 1, &material}, far{{0, 0, 9}, 1, &material};
   const Plane between{{0, 0, -1}, 6, &material};  // at z = 6
   const Rectangle nearest({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}, &material);

@@ -81,7 +81,8 @@ TEST_CASE("a PFM image comes back to the last bit") {
   const Image back = decode_pfm(encode_pfm(image));
   REQUIRE(back.width == 5);
   REQUIRE(back.height == 3);
-  CHECK(std::memcmp(back.pixels.data(), image.pixels.data(), 5 * 3 * 12) == 0);
+  CHECK(std::memcmp(back.pixels.data(), image.pixels.data(),
+                    5 * 3 * sizeof(Vec3)) == 0);
 }
 
 TEST_CASE("a PFM file begins with its bottom row") {
@@ -174,8 +175,9 @@ TEST_CASE("PPM files are read however they are laid out") {
         Near{{1, 0, 0.2f}, 1e-7f});
   CHECK(decode_ppm("P3\r\n#MAX=4\r\n1 1\r\n100\r\n25\r\n50\r\n100\r\n")
             .at(0, 0) == Vec3(1, 2, 4));
-  CHECK(decode_ppm("P3\n1 # wide\n1#high\n2\n#\n0 1 # half\n2#end").at(0, 0) ==
-        Vec3(0, 0.5f, 1));
+  CHECK(
+      decode_ppm("P3\n1 # wide\n1#high\n2\n#\n0 1 # half\n2#end").at(0, 0) ==
+      Vec3(0, 0.5f, 1));
   CHECK(decode_ppm("P3\n#MAX=1e-3\n1 1\n1\n1 1 0").at(0, 0) ==
         Vec3(1e-3f, 1e-3f, 0));
 }
@@ -200,7 +202,8 @@ TEST_CASE("broken PPM files are refused with the reason") {
   contains(ppm_complaint("P3 99999999999999999999 1 1 0"), "its width is");
   contains(ppm_complaint("P3 1 1 0 0 0 0"), "colour resolution is 0");
   contains(ppm_complaint("P3 1 1 -5 0 0 0"), "colour resolution is -5");
-  contains(ppm_complaint("P3 1 1 15 0 16 0"), "a pixel is 16, outside 0 to 15");
+  contains(ppm_complaint("P3 1 1 15 0 16 0"),
+           "a pixel is 16, outside 0 to 15");
   contains(ppm_complaint("P3 1 1 15 0 -1 0"), "a pixel is -1, outside");
   contains(ppm_complaint("P3 1 1 15 0 x 0"), "a pixel is 'x'");
   contains(ppm_complaint("P3 1 1 15 0 0"), "cut off: a pixel is missing");

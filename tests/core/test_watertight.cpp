@@ -28,8 +28,9 @@ struct Cube {
 
 Cube random_cube(Random& random, float half, const Vec3& center) {
   const Frame frame(random_direction(random));
-  return {center,
-          {half * frame.tangent, half * frame.bitangent, half * frame.normal}};
+  return {
+      center,
+      {half * frame.tangent, half * frame.bitangent, half * frame.normal}};
 }
 
 /// The four corners of face (axis, side), around it.
@@ -98,8 +99,8 @@ void for_each_cube(Test test) {
   for (const float half : {0.01f, 0.15f, 1.0f, 100.0f}) {
     for (const float away : {0.0f, 1.0f, 30.0f}) {
       for (int i = 0; i < 4; ++i) {
-        Cube cube = random_cube(random, half,
-                                half * away * random_direction(random));
+        Cube cube =
+            random_cube(random, half, half * away * random_direction(random));
         if (i == 0) {  // along the axes
           cube.axes = {Vec3(half, 0, 0), Vec3(0, half, 0), Vec3(0, 0, half)};
         }
@@ -127,7 +128,7 @@ TEST_CASE("no ray in a random direction leaves a closed cube") {
   });
 }
 
-TEST_CASE("no ray that is aimed at an edge or a corner leaves a closed cube") {
+TEST_CASE("no ray aimed at an edge or a corner leaves a closed cube") {
   for_each_cube([](const Cube& cube, const Geometry& geometry,
                    Random& random) {
     int missed = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Vectors in tests: printed when a check fails, compared with a tolerance, and
-// drawn at random.
+// Vectors in tests: printed when a check fails, compared with a tolerance,
+// and drawn at random.
 
 #include <doctest/doctest.h>
 

@@ -3,7 +3,7 @@
 // # Do these counts fit those probabilities?
 //
 // Pearson's test: throw samples into cells, compare how many there are with
-// how many there should be. If sampler and probabilities belong together, then
+// how many there should be. If sampler and probabilities belong together,
 //
 // $$\chi^2 = \sum_i \frac{(\mathrm{observed}_i - \mathrm{expected}_i)^2}
 // {\mathrm{expected}_i}$$
@@ -13,8 +13,8 @@
 // the p-value. Seeds are fixed, so a test that passes once passes always; the
 // bound below only says how often a change of seed may need another one.
 //
-// The distribution holds for cells that expect a few samples; those with fewer
-// than 5 are thrown together.
+// The distribution holds for cells that expect a few samples; those with
+// fewer than 5 are thrown together.
 
 #include <algorithm>
 #include <cmath>
@@ -74,8 +74,9 @@ struct ChiSquared {
   double p_value;
 };
 
-/// Tests counts against what each cell expects; both must have the same total,
-/// to a thousandth. A sample where none is expected makes the p-value 0.
+/// Tests counts against what each cell expects; both must have the same
+/// total, to a thousandth. A sample where none is expected makes the p-value
+/// 0.
 /// Throws std::invalid_argument for counts that cannot be tested.
 inline ChiSquared chi_squared_test(const std::vector<double>& observed,
                                    const std::vector<double>& expected) {

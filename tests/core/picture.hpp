@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstring>
+#include <string>
+
+#include "common/image_file.hpp"
+#include "common/random.hpp"
+
+namespace lightwalk::tests {
+
+/// A small picture with light beyond 1, and all that is said about it.
+inline RenderResult picture(int width = 7, int height = 5) {
+  RenderResult result;
+  result.radiance = Image(width, height);
+  result.variance = Image(width, height);
+  Random random(1, 0, 0);
+  for (Vec3& pixel : result.radiance.pixels) {
+    pixel = {random.uniform(), 10 * random.uniform(), 1e-4f};
+  }
+  for (Vec3& pixel : result.variance.pixels) {
+    pixel = {random.uniform(), 0, 1e6f * random.uniform()};
+  }
+  result.info.stage = "stage3";
+  result.info.samples_per_pixel = 4096;
+  result.info.seed = 18446744073709551615u;
+  result.info.max_bounces = 8;
+  result.info.scene_sha256 = std::string(64, 'a');
+  result.info.rays = 9007199254740993u;  // 2^53 + 1: no double holds it
+  result.info.dropped = 12345678901u;
+  result.info.version = "1.2.3";
+  return result;
+}
+
+inline bool same_bits(const Image& a, const Image& b) {
+  return a.width == b.width && a.height == b.height &&
+         std::memcmp(a.pixels.data(), b.pixels.data(),
+                     a.pixels.size() * sizeof(Vec3)) == 0;
+}
+
+/// What is said when an image cannot be read; "" if it can.
+inline std::string read_complaint(const std::string& path) {
+  try {
+    read_image(path);
+    return "";
+  } catch (const ImageError& error) {
+    return error.what();
+  }
+}
+
+/// Why a failed write failed; "" if it worked.
+inline std::string write_complaint(const std::string& path,
+                                   const RenderResult& result) {
+  try {
+    write_image(path, result, {});
+    return "";
+  } catch (const ImageError& error) {
+    return error.what();
+  }
+}
+
+inline constexpr const char* endings[] = {".exr", ".png", ".pfm", ".ppm"};
+
+}  // namespace lightwalk::tests

@@ -1,0 +1,101 @@
+// Next-event estimation where there are mirrors and glass.
+
+#include <doctest/doctest.h>
+
+#include "stages/3_specular_refraction/path_tracer.hpp"
+#include "support/comparisons.hpp"
+#include "support/renders.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using stage3::PathTracer;
+
+namespace {
+
+Vec3 one_sample(const Scene& scene, const Ray& ray, int max_bounces) {
+  RenderSettings settings;
+  settings.max_bounces = max_bounces;
+  Random random(3, 1, 4);
+  return PathTracer(scene, settings).radiance(ray, random);
+}
+
+const Ray down{{0, 1, -1}, {0, -0.70710678f, 0.70710678f}};
+
+std::string floor_of(const std::string& material) {
+  return "[materials]\nthing = " + material +
+         "\nlamp = { ke = 4 }\n[[shapes]]\ntype = \"plane\"\n"
+         "normal = [0, 1, 0]\ndistance = 0\nmaterial = \"thing\"\n";
+}
+
+constexpr const char* point_light =
+    "[[lights]]\ntype = \"point\"\ncenter = [0, 1, 0]\nintensity = 5\n";
+
+}  // namespace
+
+TEST_CASE("a point light does not light a mirror, nor glass") {
+  CHECK(one_sample(scene_text(floor_of("{ ks = 1 }") + point_light), down,
+                   8) == Vec3(0));
+  CHECK(one_sample(scene_text(floor_of("{ kt = 1 }") + point_light), down,
+                   8) == Vec3(0));
+}
+
+// kd/pi * I / 1^2 for the point right below, whatever ks and kt are.
+TEST_CASE("a point light lights the diffuse part of plastic") {
+  const Scene scene =
+      scene_text(floor_of("{ kd = 0.5, ks = 0.3, kt = 0.2 }") + point_light);
+  CHECK(one_sample(scene, down, 1).x ==
+        doctest::Approx(0.5 * 5 / 3.14159265));
+}
+
+TEST_CASE("a lamp is seen in a mirror as bright as it is") {
+  for (const std::string lamp :
+       {"type = \"rectangle\"\ncorner = [-1, 0, 2]\nedge_u = [0, 5, 0]\n"
+        "edge_v = [2, 0, 0]\n",
+        "type = \"sphere\"\ncenter = [0, 2, 2]\nradius = 1\n",
+        "type = \"plane\"\nnormal = [0, 0, -1]\ndistance = 2\n"}) {
+    CAPTURE(lamp);
+    const Scene scene = scene_text(floor_of("{ ks = 0.5 }") + "[[shapes]]\n" +
+                                   lamp + "material = \"lamp\"\n");
+    CHECK(one_sample(scene, down, 1) == Vec3(2));
+  }
+}
+
+// The glass hides the lamp from the floor's shadow rays: straight through it
+// would be wrong, since glass bends light.
+TEST_CASE("glass casts a shadow") {
+  const Scene scene = scene_text(floor_of("{ kd = 0.5 }") + point_light +
+                                 "[[shapes]]\ntype = \"sphere\"\n"
+                                 "center = [0, 0.6, 0]\nradius = 0.2\n"
+                                 "material = \"glass\"\n[materials.glass]\n"
+                                 "kt = 1\n");
+  const Ray under{{0, 0.01f, 0}, {0, -1, 0}};
+  CHECK(one_sample(scene, under, 1) == Vec3(0));
+}
+
+// Without mirrors and glass stage 3 is stage 2. Both draw the same numbers, so
+// even the noise is the same, but for rounding.
+TEST_CASE("without specular lobes the picture is stage 2's") {
+  for (const std::string name :
+       {"cornell_box_point_diffuse", "cornell_box_lamp_diffuse",
+        "cornell_box_ceiling_diffuse"}) {
+    CAPTURE(name);
+    const Scene scene = scene_file(name, 24, 24);
+    RenderSettings settings;
+    settings.max_bounces = 4;
+    settings.samples_per_pixel = 256;
+    const auto second = render_scene<stage2::PathTracer>(scene, settings);
+    check_same(renderer<PathTracer>(scene, settings), 64, second);
+  }
+}
+
+TEST_CASE("the lab's box: the same bits for any number of threads") {
+  const Scene scene = scene_file("cornell_box_ceiling", 20, 13);
+  RenderSettings settings;
+  settings.samples_per_pixel = 4;
+  settings.max_bounces = 6;
+  const auto one = render_scene<PathTracer>(scene, settings, 1);
+  const auto many = render_scene<PathTracer>(scene, settings, 7);
+  CHECK(one.radiance.pixels == many.radiance.pixels);
+  CHECK(one.info.rays == many.info.rays);
+  CHECK(one.info.dropped == 0);
+}

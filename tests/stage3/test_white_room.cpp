@@ -1,0 +1,122 @@
+// In a room that is equally bright in all directions, what loses no light
+// cannot be seen.
+
+#include <doctest/doctest.h>
+
+#include "stages/3_specular_refraction/path_tracer.hpp"
+#include "support/specular_scenes.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using stage3::PathTracer;
+
+namespace {
+
+RenderSettings bounces(int max_bounces) {
+  RenderSettings settings;
+  settings.max_bounces = max_bounces;
+  return settings;
+}
+
+/// Every ray at the thing must bring `expected`.
+void check_all_rays(const Scene& scene, int max_bounces, double expected) {
+  const PathTracer tracer(scene, bounces(max_bounces));
+  for (std::uint64_t i = 0; i < 20'000; ++i) {
+    Random random(8, 0, i);
+    const Ray ray = ray_at_thing(random);
+    CAPTURE(i);
+    REQUIRE(tracer.radiance(ray, random).x ==
+            doctest::Approx(expected).epsilon(1e-5));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a perfect mirror ball in a white room is invisible") {
+  check_all_rays(in_white_room("{ ks = 1 }", ball("thing")), 8, 1);
+}
+
+TEST_CASE("a mirror with ks = 0.7 shows 0.7 of the room") {
+  check_all_rays(in_white_room("{ ks = 0.7 }", ball("thing")), 8, 0.7);
+}
+
+// In and out: the factors (1/1.5)^2 and 1.5^2 cancel.
+TEST_CASE("a glass ball in a white room is invisible") {
+  check_all_rays(in_white_room("{ kt = 1 }", ball("thing")), 8, 1);
+}
+
+// Two refractions, each kt.
+TEST_CASE("a glass ball with kt = 0.9 shows 0.81 of the room") {
+  check_all_rays(in_white_room("{ kt = 0.9 }", ball("thing")), 8, 0.81);
+}
+
+// A ray that has entered a cube by one face meets another one beyond the
+// critical angle as a rule, and turns until it finds a way out. Some never do:
+// those that are still inside after 60 bounces are left out.
+TEST_CASE("a glass cube in a white room is invisible") {
+  const Scene scene = in_white_room("{ kt = 1 }", cube("thing"));
+  const PathTracer tracer(scene, bounces(60));
+  int kept_inside = 0, seen = 0;
+  for (std::uint64_t i = 0; i < 20'000; ++i) {
+    Random random(8, 0, i);
+    const Ray ray = ray_at_thing(random);
+    const float radiance = tracer.radiance(ray, random).x;
+    if (radiance == 0) {
+      ++kept_inside;
+      continue;
+    }
+    ++seen;
+    CAPTURE(i);
+    REQUIRE(radiance == doctest::Approx(1).epsilon(1e-4));
+  }
+  INFO(kept_inside, " of 20000 paths never left the cube");
+  CHECK(seen > 10'000);
+}
+
+// Outside radiance 1 is 1.5^2 inside.
+TEST_CASE("seen from inside glass the room has radiance 2.25") {
+  const Scene scene = in_white_room("{ kt = 1 }", ball("thing"));
+  const PathTracer tracer(scene, bounces(8));
+  Random random(1, 0, 0);
+  for (const Vec3 direction :
+       {Vec3(0, 0, 1), Vec3(1, 0, 0), normalize(Vec3(1, -2, 3))}) {
+    CHECK(tracer.radiance({{0.1f, 0.2f, 0}, direction}, random).y ==
+          doctest::Approx(2.25).epsilon(1e-5));
+  }
+}
+
+// Beyond the critical angle, in a glass ball, the ray is reflected for ever.
+TEST_CASE("what is totally reflected for ever brings nothing, and ends") {
+  const Scene scene = in_white_room("{ kt = 1 }", ball("thing"));
+  const PathTracer tracer(scene, bounces(64));
+  Random random(1, 0, 0);
+  const Ray grazing{{0.99f, 0, 0}, normalize(Vec3(0.01f, 1, 0))};
+  CHECK(tracer.radiance(grazing, random) == Vec3(0));
+}
+
+TEST_CASE("a coloured mirror colours what it shows") {
+  const Scene scene =
+      in_white_room("{ ks = [0.9, 0.5, 0.1] }", ball("thing"));
+  const PathTracer tracer(scene, bounces(8));
+  Random random(1, 0, 0);
+  const Vec3 radiance = tracer.radiance({{0, 0, -5}, {0, 0, 1}}, random);
+  CHECK(radiance.x == doctest::Approx(0.9));
+  CHECK(radiance.y == doctest::Approx(0.5));
+  CHECK(radiance.z == doctest::Approx(0.1));
+}
+
+// After 1 bounce the diffuse and the mirrored ray have reached the room, which
+// brings kd + ks; the refracted one is still inside the ball.
+TEST_CASE("all lobes of a mixed material are followed") {
+  const Scene scene =
+      in_white_room("{ kd = 0.3, ks = 0.4, kt = 0.2 }", ball("thing"));
+  check_all_rays(scene, 1, 0.3 + 0.4);
+}
+
+TEST_CASE("a mirror bounce counts as a bounce") {
+  const Scene scene = in_white_room("{ ks = 1 }", ball("thing"));
+  Random random(1, 0, 0);
+  const Ray ray{{0, 0, -5}, {0, 0, 1}};
+  CHECK(PathTracer(scene, bounces(0)).radiance(ray, random) == Vec3(0));
+  CHECK(PathTracer(scene, bounces(1)).radiance(ray, random) == Vec3(1));
+}
