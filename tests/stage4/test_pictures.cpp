@@ -1,0 +1,54 @@
+// Stage 4 against stage 3: drawing one lobe by lot is following them all.
+
+#include <doctest/doctest.h>
+
+#include "stages/4_russian_roulette/path_tracer.hpp"
+#include "support/comparisons.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using stage4::PathTracer;
+
+TEST_CASE("with a bound of N bounces the picture is stage 3's") {
+  struct Case {
+    std::string scene;
+    int max_bounces;
+  };
+  const Case cases[] = {
+      {"cornell_box_point", 1},        {"cornell_box_point", 4},
+      {"cornell_box_ceiling", 5},      {"plastic", 2},
+      {"cornell_box_lamp_diffuse", 3}, {"coloured_lobes", 3}};
+  for (const Case& one : cases) {
+    CAPTURE(one.scene);
+    CAPTURE(one.max_bounces);
+    const Scene scene = scene_file(one.scene, 24, 24);
+    RenderSettings settings;
+    settings.max_bounces = one.max_bounces;
+    settings.samples_per_pixel = 256;
+    const auto third = render_scene<stage3::PathTracer>(scene, settings);
+    check_same(renderer<PathTracer>(scene, settings), 128, third);
+  }
+}
+
+TEST_CASE("rays per sample do not grow with the bound, as stage 3's do") {
+  const Scene scene = scene_file("plastic", 16, 16);
+  RenderSettings settings;
+  settings.samples_per_pixel = 4;
+  settings.max_bounces = 10;
+  const auto branching = render_scene<stage3::PathTracer>(scene, settings);
+  const auto roulette = render_scene<PathTracer>(scene, settings);
+  CHECK(branching.info.rays > 30 * roulette.info.rays);
+}
+
+TEST_CASE("the lab's box: the same bits for any number of threads") {
+  const Scene scene = scene_file("cornell_box_point", 30, 21);
+  RenderSettings settings;
+  settings.samples_per_pixel = 5;
+  const auto one = render_scene<PathTracer>(scene, settings, 1);
+  const auto many = render_scene<PathTracer>(scene, settings, 7);
+  CHECK(one.radiance.pixels == many.radiance.pixels);
+  CHECK(one.info.dropped == 0);
+  settings.seed = 2;
+  const auto other = render_scene<PathTracer>(scene, settings, 2);
+  CHECK(one.radiance.pixels != other.radiance.pixels);
+}

@@ -1,0 +1,208 @@
+// Textures and patterns: which point of the picture a point of the shape has,
+// and what colour is there.
+
+#include <doctest/doctest.h>
+
+#include "stages/5_fresnel_textures/path_tracer.hpp"
+#include "support/renders.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using namespace lightwalk::stage5;
+
+namespace {
+
+/// The hit of the first shape that a ray towards `target` meets.
+Vec2 uv_at(const Scene& scene, const Vec3& from, const Vec3& target) {
+  const auto hit = scene.nearest_hit({from, normalize(target - from)});
+  REQUIRE(hit.has_value());
+  return texture_coordinates(scene, *hit);
+}
+
+Scene with(const std::string& shape) {
+  return scene_text("[materials]\nm = { kd = 0.5 }\n[[shapes]]\n" + shape +
+                    "\nmaterial = \"m\"\n");
+}
+
+/// Four texels: red, green above; blue, white below.
+Texture four_texels() {
+  Texture texture;
+  texture.width = texture.height = 2;
+  texture.texels = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}};
+  return texture;
+}
+
+constexpr float tolerance = 1e-5f;
+
+void check_colour(const Vec3& colour, const Vec3& expected) {
+  INFO("(", colour.x, ", ", colour.y, ", ", colour.z, ") instead of (",
+       expected.x, ", ", expected.y, ", ", expected.z, ")");
+  CHECK(length(colour - expected) < 1e-4f);
+}
+
+}  // namespace
+
+TEST_CASE("a rectangle's uv run along its edges") {
+  const Scene scene = with(
+      "type = \"rectangle\"\ncorner = [1, 2, 3]\n"
+      "edge_u = [2, 0, 0]\nedge_v = [0, 4, 0]");
+  for (const Vec2 uv : {Vec2(0.1f, 0.2f), Vec2(0.9f, 0.5f)}) {
+    const Vec2 found =
+        uv_at(scene, {1, 2, 0}, {1 + 2 * uv.x, 2 + 4 * uv.y, 3});
+    CHECK(found.x == doctest::Approx(uv.x).epsilon(tolerance));
+    CHECK(found.y == doctest::Approx(uv.y).epsilon(tolerance));
+  }
+}
+
+TEST_CASE("a triangle's uv run along its first two edges") {
+  const Scene scene = with(
+      "type = \"triangle\"\n"
+      "vertices = [[0, 0, 1], [2, 0, 1], [1, 3, 1]]");
+  // corner + 0.25 (2, 0) + 0.5 (1, 3)
+  const Vec2 uv = uv_at(scene, {0, 0, 0}, {1, 1.5f, 1});
+  CHECK(uv.x == doctest::Approx(0.25).epsilon(tolerance));
+  CHECK(uv.y == doctest::Approx(0.5).epsilon(tolerance));
+}
+
+TEST_CASE("a plane's uv are distances along two axes across its normal") {
+  const Scene scene =
+      with("type = \"plane\"\nnormal = [0, 1, 0]\ndistance = 1");
+  const Vec2 a = uv_at(scene, {0, 0, 0}, {0.5f, -1, 0.25f});
+  const Vec2 b = uv_at(scene, {0, 0, 0}, {2.5f, -1, 0.25f});
+  const Vec2 c = uv_at(scene, {0, 0, 0}, {0.5f, -1, 3.25f});
+  CHECK(glm::length(a - b) == doctest::Approx(2).epsilon(tolerance));
+  CHECK(glm::length(a - c) == doctest::Approx(3).epsilon(tolerance));
+  CHECK(glm::dot(a - b, a - c) == doctest::Approx(0).epsilon(tolerance));
+}
+
+// Longitude 0, the middle of the map, is towards -z; east is towards +x,
+// which is to the right for a camera that looks along +z.
+TEST_CASE("a sphere is a globe: middle to -z, east to +x, north to +y") {
+  const Scene scene =
+      with("type = \"sphere\"\ncenter = [0, 0, 0]\nradius = 2");
+  struct Case {
+    Vec3 from;
+    float u, v;
+  };
+  const Case cases[] = {{{0, 0, -9}, 0.5f, 0.5f},
+                        {{9, 0, 0}, 0.75f, 0.5f},
+                        {{-9, 0, 0}, 0.25f, 0.5f},
+                        {{0, 9, -9}, 0.5f, 0.75f},
+                        {{0, -9, -9}, 0.5f, 0.25f}};
+  for (const Case& one : cases) {
+    const Vec2 uv = uv_at(scene, one.from, {0, 0, 0});
+    CAPTURE(one.u);
+    CAPTURE(one.v);
+    CHECK(uv.x == doctest::Approx(one.u).epsilon(tolerance));
+    CHECK(uv.y == doctest::Approx(one.v).epsilon(tolerance));
+  }
+  CHECK(uv_at(scene, {0, 9, 0}, {0, 0, 0}).y == doctest::Approx(1));
+  CHECK(uv_at(scene, {0, -9, 0}, {0, 0, 0}).y == doctest::Approx(0));
+  // Just beside the seam, far east and far west.
+  CHECK(uv_at(scene, {0.01f, 0, 9}, {0, 0, 0}).x > 0.99f);
+  CHECK(uv_at(scene, {-0.01f, 0, 9}, {0, 0, 0}).x < 0.01f);
+}
+
+TEST_CASE("a texel has its colour at its centre, v = 0 at the bottom") {
+  const Texture texture = four_texels();
+  check_colour(image_colour(texture, {0.25f, 0.75f}, false), {1, 0, 0});
+  check_colour(image_colour(texture, {0.75f, 0.75f}, false), {0, 1, 0});
+  check_colour(image_colour(texture, {0.25f, 0.25f}, false), {0, 0, 1});
+  check_colour(image_colour(texture, {0.75f, 0.25f}, false), {1, 1, 1});
+}
+
+TEST_CASE("between texels the colour is mixed") {
+  const Texture texture = four_texels();
+  check_colour(image_colour(texture, {0.5f, 0.75f}, false), {0.5f, 0.5f, 0});
+  check_colour(image_colour(texture, {0.5f, 0.5f}, false),
+               {0.5f, 0.5f, 0.5f});
+  check_colour(image_colour(texture, {0.375f, 0.75f}, false),
+               {0.75f, 0.25f, 0});
+}
+
+TEST_CASE("a picture repeats, and mixes across its edges") {
+  const Texture texture = four_texels();
+  for (const float shift : {-3.0f, -1.0f, 1.0f, 7.0f}) {
+    check_colour(image_colour(texture, {0.25f + shift, 0.75f}, false),
+                 {1, 0, 0});
+    check_colour(image_colour(texture, {0.25f, 0.75f + shift}, false),
+                 {1, 0, 0});
+  }
+  check_colour(image_colour(texture, {0, 0.75f}, false), {0.5f, 0.5f, 0});
+  check_colour(image_colour(texture, {1, 0.75f}, false), {0.5f, 0.5f, 0});
+  check_colour(image_colour(texture, {-1e-9f, 0.75f}, false),
+               {0.5f, 0.5f, 0});
+}
+
+TEST_CASE("the poles of a globe do not mix") {
+  const Texture texture = four_texels();
+  check_colour(image_colour(texture, {0.25f, 1}, true), {1, 0, 0});
+  check_colour(image_colour(texture, {0.25f, 0}, true), {0, 0, 1});
+  check_colour(image_colour(texture, {0, 0.75f}, true), {0.5f, 0.5f, 0});
+}
+
+// IEC 61966-2-1: 188 is 0.5029 linear, 55 is 0.0382, 10 is 10/255/12.92.
+TEST_CASE("texels are decoded from sRGB, once, and before they are mixed") {
+  Texture texture;
+  texture.width = 2;
+  texture.height = 1;
+  texture.texels = {{188, 55, 10}, {0, 0, 0}};
+  check_colour(image_colour(texture, {0.25f, 0.5f}, false),
+               {0.502886f, 0.038204f, 0.003035f});
+  check_colour(image_colour(texture, {0.5f, 0.5f}, false),
+               {0.251443f, 0.019102f, 0.001518f});
+  CHECK(srgb_to_linear(0) == 0);
+  CHECK(srgb_to_linear(255) == 1);
+}
+
+TEST_CASE("checkers over uv: squares of 1/scale, the first at the corner") {
+  const Scene scene = with(
+      "type = \"rectangle\"\ncorner = [0, 0, 1]\n"
+      "edge_u = [1, 0, 0]\nedge_v = [0, 1, 0]");
+  const Pattern pattern{PatternType::checker, Vec3(1), Vec3(0), 4, nullptr};
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      const Vec3 target((static_cast<float>(column) + 0.5f) / 4,
+                        (static_cast<float>(row) + 0.5f) / 4, 1);
+      const auto hit = scene.nearest_hit({{0, 0, 0}, normalize(target)});
+      const Vec3 colour = pattern_colour(pattern, scene, *hit, {0, 0, -1});
+      CAPTURE(row);
+      CAPTURE(column);
+      CHECK(colour == Vec3((row + column) % 2 == 0 ? 1.0f : 0.0f));
+    }
+  }
+}
+
+TEST_CASE("checkers over the position alternate along all three axes") {
+  CHECK_FALSE(is_odd({0.5f, 0.5f, 0.5f}));
+  CHECK(is_odd({1.5f, 0.5f, 0.5f}));
+  CHECK(is_odd({0.5f, -0.5f, 0.5f}));
+  CHECK(is_odd({0.5f, 0.5f, -1.5f + 1}));
+  CHECK_FALSE(is_odd({-0.5f, -0.5f, 0.5f}));
+}
+
+// The floor y = -1 lies between two layers of cubes: rounding must not choose.
+TEST_CASE("a floor between two layers of cubes has no stray spots") {
+  const Scene scene =
+      with("type = \"plane\"\nnormal = [0, 1, 0]\ndistance = 1");
+  const Pattern pattern{PatternType::position_checker, Vec3(1), Vec3(0), 1,
+                        nullptr};
+  Random random(1, 0, 0);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec2 u = random.uniform_2d();
+    const Vec3 target(0.01f + 0.98f * u.x, -1, 2.01f + 0.98f * u.y);
+    const auto hit = scene.nearest_hit(
+        {{0, 0.3f, 0}, normalize(target - Vec3(0, 0.3f, 0))});
+    // The cube below: floor(x), floor(y), floor(z) are 0, -2 and 2.
+    REQUIRE(pattern_colour(pattern, scene, *hit, {0, 1, 0}) == Vec3(1));
+  }
+}
+
+// cos = 1/2: (1 - 1/2)^5 = 1/32.
+TEST_CASE("Schlick's curve goes from the square view to the grazing one") {
+  const Vec3 squarely(0.04f, 0.1f, 0.5f), grazing(1, 0.9f, 0.5f);
+  check_colour(schlick(squarely, grazing, 1), squarely);
+  check_colour(schlick(squarely, grazing, 0), grazing);
+  check_colour(schlick(squarely, grazing, 0.5f),
+               squarely + (grazing - squarely) / 32.0f);
+}

@@ -1,0 +1,106 @@
+// Stage 5 against stage 4: without Fresnel and patterns nothing has changed.
+
+#include <doctest/doctest.h>
+
+#include "stages/5_fresnel_textures/path_tracer.hpp"
+#include "support/comparisons.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using stage5::PathTracer;
+
+TEST_CASE(
+    "without fresnel and patterns the picture is stage 4's, to the bit") {
+  for (const std::string name : {"cornell_box_point", "cornell_box_ceiling",
+                                 "cornell_box_lamp_diffuse", "plastic",
+                                 "coloured_lobes", "glass_cube"}) {
+    CAPTURE(name);
+    const Scene scene = scene_file(name, 20, 20);
+    RenderSettings settings;
+    settings.samples_per_pixel = 8;
+    const auto fourth = render_scene<stage4::PathTracer>(scene, settings);
+    const auto fifth = render_scene<PathTracer>(scene, settings);
+    CHECK(fifth.radiance.pixels == fourth.radiance.pixels);
+    CHECK(fifth.variance.pixels == fourth.variance.pixels);
+  }
+}
+
+// A pattern that is the same everywhere is no pattern: checkers of two equal
+// colours, and Schlick's curve between two.
+TEST_CASE("a pattern of one colour is that colour, to the bit") {
+  const auto picture = [](const std::string& coefficients) {
+    const Scene scene = scene_text("[materials]\nthing = " + coefficients +
+                                   "\nlamp = { ke = 1 }\n" +
+                                   R"([[shapes]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 0.8
+material = "thing"
+[[shapes]]
+type = "plane"
+normal = [0, -1, 0]
+distance = 1
+material = "lamp"
+)");
+    RenderSettings settings;
+    settings.samples_per_pixel = 8;
+    return render_scene<PathTracer>(scene, settings).radiance.pixels;
+  };
+  const auto plain = picture("{ kd = [0.6, 0.2, 0.1], ks = 0.25 }");
+  CHECK(picture("{ kd = { checker = [[0.6, 0.2, 0.1], [0.6, 0.2, 0.1]] }, "
+                "ks = { schlick = [0.25, 0.25] } }") == plain);
+  CHECK(picture("{ kd = { checker = [[0.6, 0.2, 0.1], [0.6, 0.2, 0.1]], "
+                "scale = 7, over = \"position\" }, ks = 0.25 }") == plain);
+}
+
+// The middle of the map faces the camera, north is up and east is right.
+TEST_CASE("the globe's picture is the map: land where the map has land") {
+  const Scene scene = scene_file("textured_globe", 64, 64);
+  const Texture& map = scene.textures.front();
+  for (const Vec2 at : {Vec2(0, 0), Vec2(0.3f, 0.2f), Vec2(-0.4f, 0.1f),
+                        Vec2(0.1f, -0.45f)}) {
+    const Vec3 normal(at.x, at.y, -std::sqrt(1 - dot(at, at)));
+    const Vec3 point = Vec3(0, -0.1f, 0) + 0.7f * normal;
+    const Vec3 origin(0, 0, -3.5f);
+    const auto hit = scene.nearest_hit({origin, normalize(point - origin)});
+    REQUIRE(hit.has_value());
+    REQUIRE(length(hit->position - point) < 1e-4f);
+    const float u = 0.5f + std::atan2(normal.x, -normal.z) / two_pi;
+    const float v = 0.5f + std::asin(normal.y) / pi;
+    const Vec3 kd = stage5::material_at(scene, *hit, -normal).kd;
+    const Vec3 expected = stage5::image_colour(map, {u, v}, true);
+    CHECK(length(kd - expected) < 1e-3f);
+  }
+}
+
+// Grazing rays are reflected by both balls alike in number only if F is
+// ignored: at 80 degrees F is 0.39, and the fixed ball's share is 0.1.
+TEST_CASE("glass by Fresnel reflects more at its rim than glass without") {
+  const Scene scene = scene_file("fresnel_glass", 32, 32);
+  const auto reflected = [&](float center_x, float degrees) {
+    const Vec3 normal{0, 0, -1};
+    const Vec3 center(center_x, -0.6f, 0);
+    const Vec3 from = std::cos(degrees * pi / 180) * normal +
+                      std::sin(degrees * pi / 180) * Vec3(0, 1, 0);
+    const Vec3 origin = center + 0.4f * normal + 0.1f * from;
+    const auto hit = scene.nearest_hit({origin, -from});
+    REQUIRE(hit.has_value());
+    return stage5::material_at(scene, *hit, from).ks.x;
+  };
+  CHECK(reflected(-0.5f, 0) == doctest::Approx(0.04).epsilon(1e-3));
+  CHECK(reflected(-0.5f, 80) == doctest::Approx(0.3877).epsilon(0.01));
+  CHECK(reflected(0.5f, 0) == doctest::Approx(0.1));
+  CHECK(reflected(0.5f, 80) == doctest::Approx(0.1));
+}
+
+TEST_CASE("the same bits for any number of threads, other noise for a seed") {
+  const Scene scene = scene_file("checkered_floor", 30, 21);
+  RenderSettings settings;
+  settings.samples_per_pixel = 5;
+  const auto one = render_scene<PathTracer>(scene, settings, 1);
+  const auto many = render_scene<PathTracer>(scene, settings, 7);
+  CHECK(one.radiance.pixels == many.radiance.pixels);
+  settings.seed = 2;
+  const auto other = render_scene<PathTracer>(scene, settings, 2);
+  CHECK(one.radiance.pixels != other.radiance.pixels);
+}
