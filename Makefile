@@ -14,7 +14,7 @@ scene_stage1 := scenes/cornell_box_ceiling_diffuse.toml
 scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
-.PHONY: picture help setup build test clean $(stages) $(addprefix test-,$(stages))
+.PHONY: picture help setup build test goldens diff null-test clean $(stages) $(addprefix test-,$(stages))
 .DEFAULT_GOAL := picture
 
 picture: build
@@ -27,6 +27,9 @@ help:
 	@echo "make test          run every test"
 	@echo "make $(firstword $(stages))        build one stage alone ($(stages))"
 	@echo "make test-$(firstword $(stages))   run the tests of one stage"
+	@echo "make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml"
+	@echo "                   render and compare two stages, images or programs"
+	@echo "make goldens       remake the golden images of the tests"
 	@echo "make setup         install what is missing (SETUP=print only says what)"
 	@echo "make clean         delete $(BUILD)/"
 	@echo "make help          this list"
@@ -56,6 +59,22 @@ $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS) --target $* $*_tests
 	@ctest --test-dir $(BUILD) --no-tests=error --output-on-failure -j $(JOBS) \
 	  -L '^$*$$'
+
+# make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml OPTIONS="--spp 64": A and
+# B may be stages, images, or programs. Exit code 1 where they differ.
+diff: build
+	@cmake --build $(BUILD) -j $(JOBS) --target stage-diff
+	@BUILD=$(BUILD) OPTIONS="$(OPTIONS)" tools/diff.sh "$(A)" "$(B)" "$(SCENE)"
+
+# Remakes the images that the stages are held to: minutes.
+goldens: build
+	@LIGHTWALK_BUILD=$(abspath $(BUILD)) python3 tests/golden/make_goldens.py
+
+# How often the goldens reject a right program: minutes.
+SEEDS ?= 200
+null-test: build
+	@cmake --build $(BUILD) -j $(JOBS) --target null_test
+	@$(BUILD)/null_test $(SEEDS)
 
 clean:
 	@cmake -E rm -rf $(BUILD)

@@ -75,6 +75,8 @@ inline std::optional<int> parse_options(int argc, char** argv,
                                         const std::string& description,
                                         int most_bounces, Options& options) {
   CLI::App app(description, program);
+  // An option that is given twice counts as it was given last.
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.set_version_flag("--version",
                        program + " (Lightwalk) " + LIGHTWALK_VERSION);
   app.add_option("scene", options.scene, "Scene file (.toml)")->required();
@@ -83,7 +85,7 @@ inline std::optional<int> parse_options(int argc, char** argv,
                  "course's P3 with #MAX), .png (tone mapped); may be given "
                  "several times")
       ->required()
-      ->take_all()
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)
       ->check([](const std::string& path) {
         return is_image_ending(ending(path))
@@ -126,6 +128,7 @@ inline std::optional<int> parse_options(int argc, char** argv,
                  "For .png, steps in order: clamp, equalize, gamma, reinhard "
                  "[equalize,gamma]")
       ->delimiter(',')
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"clamp", "equalize", "gamma", "reinhard"}));
   const auto is_number = [](const std::string& text) {

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "common/loaded_scene.hpp"
 #include "common/render_settings.hpp"
 #include "common/scene.hpp"
 #include "common/sha256.hpp"
@@ -21,14 +22,6 @@
 #include "common/toml_reader.hpp"
 
 namespace lightwalk {
-
-/// A scene as it was read, with what its file says about the render.
-struct LoadedScene {
-  Scene scene;
-  std::string sha256;  ///< of the file's bytes, in hexadecimal
-  std::optional<int> samples_per_pixel;
-  std::optional<int> max_bounces;
-};
 
 class SceneReader {
  public:
@@ -125,6 +118,7 @@ class SceneReader {
       const TomlTable table(value, "material " + in_quotes(name),
                             {"kd", "ks", "kt", "ke", "eta", "fresnel"});
       materials_[name] = loaded_.scene.add(read_material(table));
+      loaded_.material_names[materials_[name]] = name;
     }
   }
 

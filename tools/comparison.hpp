@@ -24,6 +24,7 @@
 // is what may differ for reasons that are not errors: the last digits of
 // another compiler, and the reference's own error.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -107,10 +108,23 @@ inline RegionDifference compare_region(const RenderResult& test,
   return result;
 }
 
-/// The image, and its tiles of 8x8 and 4x4 pixels; at the edges smaller ones.
-inline std::vector<Region> regions_of(int width, int height) {
+/// How much larger than 8x8 and 4x4 pixels tiles must be so that the smaller
+/// ones hold 4096 samples, as many as make a mean that is nearly normal.
+inline int tile_scale(const RenderResult& test,
+                      const RenderResult& reference) {
+  const double samples =
+      std::min(test.info.samples_per_pixel, reference.info.samples_per_pixel);
+  int scale = 1;
+  while (samples * 16 * scale * scale < 4096 && scale < 1024) scale *= 2;
+  return scale;
+}
+
+/// The image, and its tiles of 8x8 and 4x4 pixels, both times `scale`; at the
+/// edges smaller ones.
+inline std::vector<Region> regions_of(int width, int height, int scale) {
   std::vector<Region> regions{{0, 0, width, height}};
-  for (const int size : {8, 4}) {
+  for (const int size : {8 * scale, 4 * scale}) {
+    if (size >= std::max(width, height)) continue;
     for (int top = 0; top < height; top += size) {
       for (int left = 0; left < width; left += size) {
         regions.push_back({left, top, std::min(size, width - left),
@@ -124,9 +138,10 @@ inline std::vector<Region> regions_of(int width, int height) {
 /// Every region in every channel, the image's own three first.
 inline std::vector<RegionDifference> compare_regions(
     const RenderResult& test, const RenderResult& reference,
-    const Bands& bands) {
+    const Bands& bands, int scale) {
   const Image& image = reference.radiance;
-  const std::vector<Region> regions = regions_of(image.width, image.height);
+  const std::vector<Region> regions =
+      regions_of(image.width, image.height, scale);
   std::vector<RegionDifference> result;
   for (const Region& region : regions) {
     for (int channel = 0; channel < 3; ++channel) {
@@ -140,17 +155,31 @@ inline std::vector<RegionDifference> compare_regions(
   return result;
 }
 
+/// The probability that one of `count` right comparisons is beyond z, if they
+/// are normal; for both signs.
+inline double false_alarm_rate(double z, double count) {
+  return count * std::erfc(z / std::sqrt(2.0));
+}
+
 /// Renders a picture anew: with this many samples per pixel, and this seed.
 using Rerender = std::function<RenderResult(int samples, std::uint64_t seed)>;
 
 /// The outcome of a comparison, all regions and those that differ for sure.
 struct Comparison {
   std::vector<RegionDifference> all;        ///< of the first render
+  std::vector<RegionDifference> again;      ///< of the last render
   std::vector<RegionDifference> suspected;  ///< beyond z_critical at first
   std::vector<RegionDifference> confirmed;  ///< and again with a fresh seed
   RenderResult test;                        ///< the last render
 
   bool same() const { return confirmed.empty(); }
+
+  /// How often a right program is rejected by a comparison like this: a
+  /// region must be off by chance twice, the second time to the same side.
+  double false_alarms(const Bands& bands) const {
+    const double once = false_alarm_rate(bands.z_critical, 1);
+    return static_cast<double>(all.size()) * once * once / 2;
+  }
 };
 
 // A few thousand regions are compared in a run, and at 4.4 sigma one in a
@@ -166,17 +195,20 @@ inline Comparison compare_with_reference(const Rerender& rerender,
                                          const Bands& bands = {}) {
   Comparison result;
   result.test = rerender(samples, seed);
-  result.all = compare_regions(result.test, reference, bands);
+  const int scale = tile_scale(result.test, reference);
+  result.all = compare_regions(result.test, reference, bands, scale);
   for (const RegionDifference& one : result.all) {
     if (!one.same(bands)) result.suspected.push_back(one);
   }
+  result.again = result.all;
   if (result.suspected.empty()) return result;
   result.test = rerender(4 * samples, seed + 0x9e3779b9);
-  const auto again = compare_regions(result.test, reference, bands);
-  for (std::size_t i = 0; i < again.size(); ++i) {
-    if (!result.all[i].same(bands) && !again[i].same(bands) &&
-        again[i].sign() == result.all[i].sign()) {
-      result.confirmed.push_back(again[i]);
+  result.again = compare_regions(result.test, reference, bands, scale);
+  for (std::size_t i = 0; i < result.again.size(); ++i) {
+    const RegionDifference& second = result.again[i];
+    if (!result.all[i].same(bands) && !second.same(bands) &&
+        second.sign() == result.all[i].sign()) {
+      result.confirmed.push_back(second);
     }
   }
   return result;

@@ -23,7 +23,7 @@ Rerender renderer(const Scene& scene, const RenderSettings& settings) {
 }
 
 /// What is worst about a comparison, in one line.
-inline std::string worst_of(const Comparison& comparison) {
+inline std::string summary_of(const Comparison& comparison) {
   std::string text = "no region differs";
   double worst = 0;
   for (const RegionDifference& one : comparison.confirmed) {
@@ -46,7 +46,7 @@ inline void check_same(const Rerender& rerender, int samples,
                        const RenderResult& reference) {
   const Comparison comparison =
       compare_with_reference(rerender, samples, 11, reference);
-  INFO(worst_of(comparison));
+  INFO(summary_of(comparison));
   CHECK(comparison.test.info.dropped == 0);
   CHECK(comparison.same());
 }

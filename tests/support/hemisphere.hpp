@@ -46,9 +46,10 @@ inline void check_directions(const HemisphereSampler& sampler) {
   }
 }
 
-/// Directions sorted into cells of equal solid angle: bins of the cosine times
-/// bins of the azimuth about the normal. `cumulative(c)` is the probability
-/// that a direction's cosine lies below c; the azimuth is uniform.
+/// Directions sorted into cells of equal solid angle: bins of the cosine
+/// times bins of the azimuth about the normal. `cumulative(c)` is the
+/// probability that a direction's cosine lies below c; the azimuth is
+/// uniform.
 inline double hemisphere_p_value(
     const HemisphereSampler& sampler, const Vec3& normal,
     const std::function<double(double)>& cumulative) {

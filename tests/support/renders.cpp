@@ -9,8 +9,12 @@ namespace {
 constexpr Syllabus everything{9, {}};
 }  // namespace
 
+LoadedScene load_scene_for_tests(const std::string& name) {
+  return load_scene(SCENES "/" + name + ".toml", everything);
+}
+
 Scene scene_file(const std::string& name, int width, int height) {
-  LoadedScene loaded = load_scene(SCENES "/" + name + ".toml", everything);
+  LoadedScene loaded = load_scene_for_tests(name);
   loaded.scene.camera.width = width;
   loaded.scene.camera.height = height;
   return std::move(loaded.scene);

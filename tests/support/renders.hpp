@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "common/film.hpp"
+#include "common/loaded_scene.hpp"
 #include "common/program.hpp"
 #include "common/render_result.hpp"
 
@@ -14,6 +15,9 @@ namespace lightwalk::tests {
 
 /// The scene of a file of the folder scenes/, at another size.
 Scene scene_file(const std::string& name, int width = 32, int height = 32);
+
+/// The same with all that its file says, at its own size.
+LoadedScene load_scene_for_tests(const std::string& name);
 
 /// The scene of a TOML text. A camera is put before it if it has none.
 Scene scene_text(std::string_view text);

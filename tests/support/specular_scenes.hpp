@@ -10,8 +10,8 @@
 
 namespace lightwalk::tests {
 
-/// A closed white room that emits 1 inwards on all sides. Rectangles are lamps
-/// that can be asked, and planes are not: it is made of planes.
+/// A closed white room that emits 1 inwards on all sides. Rectangles are
+/// lamps that can be asked, and planes are not: it is made of planes.
 inline std::string white_room() {
   std::string text;
   for (const char* normal : {"[1, 0, 0]", "[-1, 0, 0]", "[0, 1, 0]",

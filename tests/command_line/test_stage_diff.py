@@ -1,0 +1,161 @@
+"""stage-diff: the same, different, or not to be compared."""
+
+import json
+import struct
+import unittest
+
+import programs
+
+BOX = programs.SCENES / "cornell_box_ceiling_diffuse.toml"
+
+
+class StageDiff(programs.InFolder):
+    def render(self, name, *options, scene=BOX, stage="stage1"):
+        path = self.folder / name
+        result = programs.run(
+            stage,
+            *(scene, "-o", path, "--size", "32x32", "--spp", "256"),
+            *("--max-bounces", "3", "--quiet", *options),
+        )
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return path
+
+    def changed(self, old, new):
+        """The box with one piece of its text replaced."""
+        text = BOX.read_text()
+        self.assertEqual(text.count(old), 1, old)
+        path = self.folder / "changed.toml"
+        path.write_text(text.replace(old, new))
+        return path
+
+    def diff(self, a, b, *options):
+        return programs.run("stage-diff", a, b, *options)
+
+    def check_different(self, a, b, *expected):
+        result = self.diff(a, b)
+        self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
+        for words in expected:
+            self.assertIn(words, result.stdout)
+        return result
+
+    def check_cannot(self, a, b, *expected):
+        result = self.diff(a, b)
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertTrue(result.stderr.startswith("stage-diff: "))
+        for words in expected:
+            self.assertIn(words, result.stderr)
+
+    def test_another_seed_is_the_same(self):
+        reference = self.render("b.exr")
+        for seed in (2, 3, 4):
+            a = self.render("a.exr", "--seed", str(seed))
+            result = self.diff(a, reference)
+            self.assertEqual(result.returncode, 0, result.stdout)
+            self.assertIn("the same within the band", result.stdout)
+            self.assertEqual(result.stderr, "")
+
+    def test_a_lamp_that_is_3_percent_darker(self):
+        a = self.render("a.exr", "--seed", "2", scene=self.changed("ke = 1", "ke = 0.97"))
+        result = self.check_different(a, self.render("b.exr"), "% too dark over the")
+        self.assertIn("different scene files", result.stderr)
+
+    def test_a_ball_moved_by_a_pixel(self):
+        # A pixel at the ball's distance is 0.07 wide.
+        moved = self.changed("center = [0.5, -0.7", "center = [0.43, -0.7")
+        a = self.render("a.exr", "--seed", "2", scene=moved)
+        self.check_different(a, self.render("b.exr"), "lower right")
+
+    def test_a_missing_caustic(self):
+        # With a bound of 2 bounces the way through the glass is too long.
+        scene = programs.SCENES / "cornell_box_ceiling.toml"
+        stage = "stage3" if "stage3" in programs.built_stages() else None
+        if stage is None:
+            self.skipTest("stage 3 is not in the tree")
+        a = self.render("a.exr", "--max-bounces", "2", scene=scene, stage=stage)
+        b = self.render("b.exr", "--max-bounces", "5", scene=scene, stage=stage)
+        result = self.check_different(a, b, "lower right")
+        self.assertIn("different bounds, 2 and 5", result.stderr)
+
+    def test_an_image_without_variance_borrows_the_others(self):
+        exr = self.render("b.exr")
+        pfm = self.render("a.pfm", "--seed", "2")
+        result = self.diff(pfm, exr)
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn("a.pfm has no variance", result.stderr)
+        self.check_cannot(pfm, pfm, "neither image has a variance")
+
+    def test_json(self):
+        a, b = self.render("a.exr", "--seed", "2"), self.render("b.exr")
+        values = json.loads(self.diff(a, b, "--json").stdout)
+        self.assertIs(values["same"], True)
+        self.assertAlmostEqual(values["mean_ratio"][0], 1, delta=0.02)
+        self.assertLess(values["worst"]["z"], values["z_critical"])
+
+    def test_json_of_black_images_is_json(self):
+        a = self.render("a.exr", "--max-bounces", "0", scene=self.changed("ke = 1", "kd = 1"))
+        values = json.loads(self.diff(a, a, "--json").stdout)
+        self.assertIs(values["same"], True)
+
+    def test_one_picture_of_all(self):
+        a, b = self.render("a.exr", "--seed", "2"), self.render("b.exr")
+        picture = self.folder / "diff.png"
+        self.assertEqual(self.diff(a, b, "-o", picture).returncode, 0)
+        width, height = struct.unpack(">II", picture.read_bytes()[16:24])
+        self.assertEqual((width, height), (4 * 256 + 3 * 4, 256))
+        result = self.diff(a, b, "-o", self.folder / "none" / "diff.png")
+        self.assertEqual(result.returncode, 2)
+
+    def test_other_sizes(self):
+        a = self.render("a.exr", "--size", "16x32")
+        self.check_cannot(a, self.render("b.exr"), "16 x 32", "32 x 32")
+
+    def test_not_finite(self):
+        a = self.render("a.pfm")
+        data = bytearray(a.read_bytes())
+        data[-4:] = struct.pack("<f", float("nan"))
+        a.write_bytes(data)
+        self.check_cannot(a, self.render("b.exr"), "column 31, row 0 is not finite")
+
+    def test_files_that_are_no_images(self):
+        good = self.render("b.exr")
+        whole = good.read_bytes()
+        for name, data in {
+            "empty.exr": b"",
+            "cut.exr": whole[: len(whole) // 2],
+            "text.exr": b"no image at all\n" * 99,
+            "empty.pfm": b"",
+            "cut.pfm": b"PF\n32 32\n-1.0\n" + b"\0" * 99,
+            "huge.pfm": b"PF\n60000 60000\n-1.0\n" + b"\0" * 99,
+            "negative.pfm": b"PF\n-3 2\n-1.0\n" + b"\0" * 99,
+        }.items():
+            with self.subTest(name):
+                path = self.folder / name
+                path.write_bytes(data)
+                self.check_cannot(path, good, f"{name}: ")
+
+    def test_a_header_that_claims_huge_dimensions(self):
+        good = self.render("b.exr")
+        data = good.read_bytes()
+        window = struct.pack("<iiii", 0, 0, 31, 31)
+        self.assertIn(window, data)
+        path = self.folder / "huge.exr"
+        path.write_bytes(data.replace(window, struct.pack("<iiii", 0, 0, 99_999, 99_999)))
+        self.check_cannot(path, good, "huge.exr: ")
+
+    def test_other_files(self):
+        good = self.render("b.exr")
+        self.check_cannot(self.folder / "missing.exr", good, "no such file")
+        self.check_cannot(self.folder, good, "only .exr and .pfm")
+        png = self.render("a.png")
+        self.check_cannot(png, good, "only .exr and .pfm hold radiance")
+
+    def test_wrong_usage(self):
+        self.assertEqual(programs.run("stage-diff").returncode, 2)
+        self.assertEqual(self.diff("a.exr", "b.exr", "-o", "x.jpg").returncode, 2)
+        self.assertEqual(programs.run("stage-diff", "--help").returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,181 @@
+// The statistics that decide whether two pictures are the same.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "common/film.hpp"
+#include "common/random.hpp"
+#include "support/goldens.hpp"
+#include "tools/comparison.hpp"
+#include "tools/verdict.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+
+namespace {
+
+/// A 32 x 32 picture of noise: uniform in [0, 2 mean), variance mean^2/3.
+RenderResult noise(int samples, std::uint64_t seed, float mean = 1) {
+  Film film(32, 32);
+  for (int y = 0; y < 32; ++y) {
+    for (int x = 0; x < 32; ++x) {
+      for (int i = 0; i < samples; ++i) {
+        Random random(seed, film.index(x, y), static_cast<std::uint64_t>(i));
+        film.pixel(x, y).add(Vec3(2 * mean * random.uniform()));
+      }
+    }
+  }
+  RenderResult result{film.radiance(), film.variance(), {}};
+  result.info.samples_per_pixel = samples;
+  return result;
+}
+
+Comparison compare(const Rerender& rerender) {
+  static const RenderResult reference = noise(1024, 1000);
+  return compare_with_reference(rerender, 256, 1, reference);
+}
+
+void darken(RenderResult& result, const Region& r, float factor) {
+  for (int y = r.top; y < r.top + r.height; ++y) {
+    for (int x = r.left; x < r.left + r.width; ++x) {
+      result.radiance.at(x, y) *= factor;
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the same picture with another seed is the same") {
+  int second_looks = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const Comparison comparison =
+        compare([&](int samples, std::uint64_t other) {
+          return noise(samples, seed * 1000 + other);
+        });
+    CHECK(comparison.same());
+    second_looks += comparison.suspected.empty() ? 0 : 1;
+  }
+  CHECK(second_looks <= 2);  // 30 times 243 regions: 0.08 are expected
+}
+
+TEST_CASE("a picture that is 3 % darker everywhere is not the same") {
+  const Comparison comparison = compare([](int samples, std::uint64_t seed) {
+    return noise(samples, seed, 0.97f);
+  });
+  REQUIRE_FALSE(comparison.same());
+  CHECK(comparison.confirmed[0].region == Region{0, 0, 32, 32});
+  CHECK(comparison.confirmed[0].sign() == -1);
+}
+
+TEST_CASE("a darker 4x4 tile is found where it is, and said so") {
+  const Region tile{8, 20, 4, 4};
+  const Comparison comparison = compare([&](int samples, std::uint64_t seed) {
+    RenderResult result = noise(samples, seed);
+    darken(result, tile, 0.6f);
+    return result;
+  });
+  REQUIRE_FALSE(comparison.same());
+  for (const RegionDifference& one : comparison.confirmed) {
+    const Region& r = one.region;
+    CHECK(r.left <= 8);
+    CHECK(r.left + r.width >= 12);
+    CHECK(r.top <= 20);
+    CHECK(r.top + r.height >= 24);
+  }
+  const std::string text =
+      describe(comparison.again, comparison.confirmed, {}, 32, 32,
+               [&](const Region& r) -> std::string {
+                 return r == tile ? "the cat" : "the mat";
+               });
+  CAPTURE(text);
+  CHECK(text.find("all of it on the cat") != std::string::npos);
+  CHECK(text.find("40 % too dark there") != std::string::npos);
+  CHECK(text.find("(lower left)") != std::string::npos);
+}
+
+TEST_CASE("what is not a number is not the same") {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const Comparison in_mean = compare([&](int samples, std::uint64_t seed) {
+    RenderResult result = noise(samples, seed);
+    result.radiance.at(3, 3).y = nan;
+    return result;
+  });
+  CHECK_FALSE(in_mean.same());
+  RegionDifference difference;
+  difference.z = static_cast<double>(nan);
+  CHECK_FALSE(difference.same({}));
+}
+
+// One pixel met a path of 1000 times its brightness: 1/64 of 1000 on top of
+// its mean, and a variance to match. That is noise, and must be taken for it.
+TEST_CASE("a firefly is noise") {
+  const Comparison comparison = compare([](int samples, std::uint64_t seed) {
+    RenderResult result = noise(samples, seed);
+    const auto n = static_cast<float>(samples);
+    result.radiance.at(5, 5) += Vec3(1000 / n);
+    result.variance.at(5, 5) += Vec3(1e6f / n);
+    return result;
+  });
+  CHECK(comparison.same());
+}
+
+TEST_CASE("without noise the band alone decides") {
+  const auto constant = [](float value) {
+    RenderResult result{Image(8, 8), Image(8, 8), {}};
+    for (Vec3& pixel : result.radiance.pixels) pixel = Vec3(value);
+    result.info.samples_per_pixel = 4096;
+    return result;
+  };
+  const auto same = [&](float value) {
+    return compare_with_reference(
+               [&](int, std::uint64_t) { return constant(value); }, 4096, 1,
+               constant(1))
+        .same();
+  };
+  CHECK(same(1));
+  CHECK(same(1.009f));
+  CHECK_FALSE(same(1.02f));
+  CHECK_FALSE(same(0.98f));
+}
+
+TEST_CASE("tiles grow where there are few samples to a pixel") {
+  const RenderResult few = noise(4, 1), many = noise(256, 1);
+  CHECK(tile_scale(many, many) == 1);
+  CHECK(tile_scale(few, many) == 8);
+  CHECK(regions_of(32, 32, 1).size() == 1 + 16 + 64);
+}
+
+// 2 Q(4.4) = 1.08e-5, and a few thousand regions.
+TEST_CASE("the computed false alarms are those of the normal distribution") {
+  CHECK(false_alarm_rate(4.4, 1) == doctest::Approx(1.0825e-5).epsilon(1e-3));
+  const Comparison comparison = compare(
+      [](int samples, std::uint64_t seed) { return noise(samples, seed); });
+  CHECK(comparison.false_alarms({}) ==
+        doctest::Approx(243 * 1.0825e-5 * 1.0825e-5 / 2).epsilon(1e-2));
+}
+
+// Every golden against every other one of its size: a test that lets two
+// different scenes pass would let anything pass.
+TEST_CASE("no golden is taken for another scene's") {
+  std::vector<Golden> goldens;
+  for (int stage = 1; stage <= 5; ++stage) {
+    for (const std::string& name : golden_names(stage)) {
+      goldens.push_back(load_golden(stage, name));
+    }
+  }
+  for (const Golden& a : goldens) {
+    for (const Golden& b : goldens) {
+      if (a.name == b.name) continue;
+      CAPTURE(a.name);
+      CAPTURE(b.name);
+      const auto all = compare_regions(a.image, b.image, {}, 1);
+      int differing = 0;
+      for (const RegionDifference& one : all) {
+        differing += one.same({}) ? 0 : 1;
+      }
+      CHECK(differing > 0);
+    }
+  }
+}

@@ -1,0 +1,48 @@
+"""Remakes the golden images of goldens.toml, or those that are named.
+
+    make_goldens.py [--times 64] [stage4/plastic ...]
+
+Each is rendered by its stage with 64 times the samples of the tests, and a
+seed that no test uses, so that its own error hardly counts.
+"""
+
+import argparse
+import os
+import subprocess
+import tomllib
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
+SEED = 20_000_000
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--times", type=int, default=64)
+    parser.add_argument("names", nargs="*", metavar="stageN/scene")
+    options = parser.parse_args()
+    goldens = tomllib.loads((HERE / "goldens.toml").read_text())["golden"]
+    names = {f"stage{g['stage']}/{g['scene']}" for g in goldens}
+    if unknown := set(options.names) - names:
+        parser.error(f"goldens.toml does not list {', '.join(sorted(unknown))}")
+    for golden in goldens:
+        stage, scene = f"stage{golden['stage']}", golden["scene"]
+        if options.names and f"{stage}/{scene}" not in options.names:
+            continue
+        folder = HERE / stage
+        folder.mkdir(exist_ok=True)
+        command = [
+            *(BUILD / stage, ROOT / "scenes" / f"{scene}.toml"),
+            *("-o", folder / f"{scene}.exr", "--size", "32x32", "--quiet"),
+            *("--spp", golden["samples"] * options.times, "--seed", SEED),
+        ]
+        if "max_bounces" in golden:
+            command += ["--max-bounces", golden["max_bounces"]]
+        print(f"{stage}/{scene}.exr", flush=True)
+        subprocess.run([str(word) for word in command], check=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,8 @@
+// What stage 5 renders, against what it rendered when it was known to be right.
+
+#include "stages/5_fresnel_textures/path_tracer.hpp"
+#include "support/goldens.hpp"
+
+TEST_CASE("golden images: the pictures of stage 5") {
+  lightwalk::tests::check_goldens<lightwalk::stage5::PathTracer>(5);
+}

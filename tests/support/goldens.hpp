@@ -1,0 +1,77 @@
+#pragma once
+
+// Golden images: what a stage renders against what it rendered when it was
+// known to be right.
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "support/comparisons.hpp"
+
+namespace lightwalk::tests {
+
+/// One entry of tests/golden/goldens.toml, with its image and its scene.
+struct Golden {
+  std::string name;  ///< of its scene
+  RenderSettings settings;
+  RenderResult image;
+  LoadedScene loaded;
+};
+
+/// The goldens of a stage that are listed and have been made.
+std::vector<std::string> golden_names(int stage);
+
+/// Throws where it is missing or cannot be read.
+Golden load_golden(int stage, const std::string& name);
+
+/// What is to be seen in most of a region: "the sphere of 'glass'".
+std::string seen_in(const LoadedScene& loaded, const Region& region);
+
+/// A failed comparison in words: what differs, where, by how much, and which
+/// known mistakes it looks like. Writes the pictures beside each other.
+std::string explain(int stage, const Golden& golden,
+                    const Comparison& comparison);
+
+/// Hard checks of a picture, before any statistics. Empty where it passes.
+std::string broken_outright(const RenderResult& result);
+
+/// Renders a golden's scene and compares. At most a screenful is printed.
+template <class PathTracer>
+void check_golden(int stage, const std::string& name) {
+  const Golden golden = load_golden(stage, name);
+  const Rerender rerender =
+      renderer<PathTracer>(golden.loaded.scene, golden.settings);
+  const int samples = golden.settings.samples_per_pixel;
+  const Comparison comparison = compare_with_reference(
+      rerender, samples, golden.settings.seed, golden.image);
+  const std::string broken = broken_outright(comparison.test);
+  const bool same = broken.empty() && comparison.same();
+  if (!same) {
+    const std::string why =
+        broken.empty() ? explain(stage, golden, comparison) : broken;
+    FAIL_CHECK(why);
+  }
+  const double noise = variance_ratio(comparison.test, golden.image);
+  if (same && (noise > 1.5 || noise < 0.6)) {
+    MESSAGE(name, ": the picture is right, and its variance is ", noise,
+            " times the golden's: ",
+            noise > 1 ? "noisier than it should be"
+                      : "suspiciously quiet (clamped samples? no roulette?)");
+  }
+}
+
+/// All goldens of a stage.
+template <class PathTracer>
+void check_goldens(int stage) {
+  const std::vector<std::string> names = golden_names(stage);
+  REQUIRE(names.size() >= 3);
+  for (const std::string& name : names) {
+    SUBCASE(name.c_str()) {
+      check_golden<PathTracer>(stage, name);
+    }
+  }
+}
+
+}  // namespace lightwalk::tests

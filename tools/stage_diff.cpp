@@ -1,0 +1,247 @@
+// stage-diff A B: are these two renders the same picture?
+//
+// Exit codes: 0 the same within the band, 1 different, 2 cannot compare.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+
+#include "common/image_file.hpp"
+#include "common/one_line.hpp"
+#include "tools/comparison.hpp"
+#include "tools/verdict.hpp"
+
+namespace {
+
+using namespace lightwalk;
+
+/// Why two images cannot be compared.
+struct CannotCompare : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+RenderResult read(const std::string& path) {
+  const std::string format = ending(path);
+  if (format != ".exr" && format != ".pfm") {
+    throw CannotCompare(path + ": only .exr and .pfm hold radiance");
+  }
+  RenderResult result;
+  try {
+    result = read_image(path);
+  } catch (const std::exception& error) {
+    throw CannotCompare(path + ": " + error.what());
+  }
+  for (const Image* image : {&result.radiance, &result.variance}) {
+    for (std::size_t i = 0; i < image->pixels.size(); ++i) {
+      if (is_finite(image->pixels[i])) continue;
+      const auto width = static_cast<std::size_t>(image->width);
+      throw CannotCompare(path + ": the pixel in column " +
+                          std::to_string(i % width) + ", row " +
+                          std::to_string(i / width) + " is not finite");
+    }
+  }
+  return result;
+}
+
+bool has_variance(const RenderResult& result) {
+  return !result.variance.pixels.empty() && result.info.samples_per_pixel > 0;
+}
+
+std::string size_of(const RenderResult& result) {
+  return std::to_string(result.radiance.width) + " x " +
+         std::to_string(result.radiance.height);
+}
+
+/// An image without variance is taken to be as noisy as the other.
+void borrow_variance(const std::string& path, RenderResult& poor,
+                     const RenderResult& rich) {
+  if (has_variance(poor)) return;
+  poor.variance = rich.variance;
+  poor.info.samples_per_pixel = rich.info.samples_per_pixel;
+  std::fprintf(
+      stderr,
+      "stage-diff: %s has no variance: it is taken to be as noisy as "
+      "the other\n",
+      path.c_str());
+}
+
+void warn_of_other_settings(const RenderInfo& a, const RenderInfo& b) {
+  if (a.scene_sha256 != b.scene_sha256 && !a.scene_sha256.empty() &&
+      !b.scene_sha256.empty()) {
+    std::fprintf(stderr,
+                 "stage-diff: WARNING: the two were rendered from different "
+                 "scene files\n");
+  }
+  if (a.max_bounces != b.max_bounces && a.max_bounces > 0 &&
+      b.max_bounces > 0) {
+    std::fprintf(stderr,
+                 "stage-diff: WARNING: they have different bounds, %d and %d "
+                 "bounces\n",
+                 a.max_bounces, b.max_bounces);
+  }
+}
+
+/// Errors over all pixels, for people who think in them.
+struct Totals {
+  double ratio[3];      ///< mean of A over mean of B
+  double rmse;          ///< root of the mean squared difference
+  double relative_mse;  ///< of (A - B)^2 / (B^2 + 1e-4 mean(B)^2)
+};
+
+Totals totals_of(const RenderResult& a, const RenderResult& b) {
+  Totals totals{};
+  const Region all{0, 0, b.radiance.width, b.radiance.height};
+  double squares = 0, relative = 0, mean = 0;
+  for (int c = 0; c < 3; ++c) {
+    const double reference = mean_over(b.radiance, all, c);
+    totals.ratio[c] = mean_over(a.radiance, all, c) / reference;
+    mean += reference / 3;
+  }
+  const double small = 1e-4 * mean * mean + 1e-30;
+  for (std::size_t i = 0; i < b.radiance.pixels.size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      const auto x = static_cast<double>(a.radiance.pixels[i][c]);
+      const auto y = static_cast<double>(b.radiance.pixels[i][c]);
+      squares += (x - y) * (x - y);
+      relative += (x - y) * (x - y) / (y * y + small);
+    }
+  }
+  const double count = 3.0 * static_cast<double>(b.radiance.pixels.size());
+  totals.rmse = std::sqrt(squares / count);
+  totals.relative_mse = relative / count;
+  return totals;
+}
+
+/// The z beyond which one of `count` regions is off by chance once in a
+/// million comparisons.
+double critical_z(std::size_t count) {
+  double z = 4.4;
+  while (false_alarm_rate(z, static_cast<double>(count)) > 1e-6) z += 0.05;
+  return z;
+}
+
+/// A number as JSON has it: what is not finite is null.
+std::string json_number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return std::isfinite(x) ? text : "null";
+}
+
+void print_json(bool same, const Totals& totals, const std::string& verdict,
+                const RegionDifference& worst, double z_critical) {
+  const auto n = json_number;
+  const Region& r = worst.region;
+  const std::string region =
+      "{\"left\": " + std::to_string(r.left) +
+      ", \"top\": " + std::to_string(r.top) +
+      ", \"width\": " + std::to_string(r.width) +
+      ", \"height\": " + std::to_string(r.height) +
+      ", \"channel\": " + std::to_string(worst.channel) +
+      ", \"a\": " + n(worst.test) + ", \"b\": " + n(worst.reference) +
+      ", \"z\": " + n(worst.z) + "}";
+  std::printf(
+      "{\"same\": %s, \"mean_ratio\": [%s, %s, %s], \"rmse\": %s, "
+      "\"relative_mse\": %s, \"worst\": %s, \"z_critical\": %s, "
+      "\"verdict\": \"%s\"}\n",
+      same ? "true" : "false", n(totals.ratio[0]).c_str(),
+      n(totals.ratio[1]).c_str(), n(totals.ratio[2]).c_str(),
+      n(totals.rmse).c_str(), n(totals.relative_mse).c_str(), region.c_str(),
+      n(z_critical).c_str(), verdict.c_str());
+}
+
+int compare(const std::string& a_path, const std::string& b_path,
+            const std::string& picture, bool json) {
+  RenderResult a = read(a_path), b = read(b_path);
+  if (a.radiance.width != b.radiance.width ||
+      a.radiance.height != b.radiance.height) {
+    throw CannotCompare("the sizes differ: " + a_path + " is " + size_of(a) +
+                        ", " + b_path + " is " + size_of(b));
+  }
+  if (!has_variance(a) && !has_variance(b)) {
+    throw CannotCompare(
+        "neither image has a variance, so nobody can say what is noise: "
+        "write "
+        "at least one of them as .exr");
+  }
+  borrow_variance(a_path, a, b);
+  borrow_variance(b_path, b, a);
+  warn_of_other_settings(a.info, b.info);
+
+  Bands bands;
+  const auto all = compare_regions(a, b, bands, tile_scale(a, b));
+  bands.z_critical = critical_z(all.size());
+  std::vector<RegionDifference> differing;
+  for (const RegionDifference& one : all) {
+    if (!one.same(bands)) differing.push_back(one);
+  }
+  const bool same = differing.empty();
+  const Totals totals = totals_of(a, b);
+  const std::string verdict =
+      (same ? "" : "different: A is ") +
+      describe(all, differing, bands, b.radiance.width, b.radiance.height,
+               [](const Region&) { return std::string(); });
+  const RegionDifference& worst = *worst_of(all);
+  if (!picture.empty()) {
+    RenderResult panels;
+    panels.radiance = difference_picture(a, b);
+    ToneMapping as_it_is;
+    as_it_is.steps.clear();
+    try {
+      write_image(picture, panels, as_it_is);
+    } catch (const std::exception& error) {
+      throw CannotCompare(picture + " cannot be written: " + error.what());
+    }
+  }
+  if (json) {
+    print_json(same, totals, verdict, worst, bands.z_critical);
+    return same ? 0 : 1;
+  }
+  std::printf("%s\n", verdict.c_str());
+  std::printf("mean A/B  red %.4f  green %.4f  blue %.4f\n", totals.ratio[0],
+              totals.ratio[1], totals.ratio[2]);
+  std::printf("RMSE %.4g   relative MSE %.4g\n", totals.rmse,
+              totals.relative_mse);
+  std::printf("variance A/B %.3f\n", variance_ratio(a, b));
+  std::printf(
+      "largest z %.2f of %zu regions, at %s; %.2f would differ\n", worst.z,
+      all.size(),
+      place_of(worst.region, b.radiance.width, b.radiance.height).c_str(),
+      bands.z_critical);
+  return same ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string a, b, picture;
+  bool json = false;
+  CLI::App app("Are two renders the same picture, but for their noise?",
+               "stage-diff");
+  app.add_option("A", a, "Image (.exr or .pfm)")->required();
+  app.add_option("B", b, "Image to compare with, the reference")->required();
+  app.add_option("-o,--output", picture,
+                 "One picture of both, their difference and z (.png)")
+      ->check([](const std::string& path) {
+        return ending(path) == ".png" ? std::string()
+                                      : "'" + path + "' does not end in .png";
+      });
+  app.add_flag("--json", json, "Print the figures as JSON");
+  app.set_version_flag("--version",
+                       "stage-diff (Lightwalk) " LIGHTWALK_VERSION);
+  app.footer("Exit codes: 0 the same, 1 different, 2 cannot compare.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "stage-diff: %s (stage-diff --help says more)\n",
+                 one_line(error.what()).c_str());
+    return 2;
+  }
+  try {
+    return compare(a, b, picture, json);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "stage-diff: %s\n", one_line(error.what()).c_str());
+    return 2;
+  }
+}
