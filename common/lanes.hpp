@@ -167,7 +167,8 @@ inline unsigned lanes_of(const Int8& mask) {
       _mm_movemask_ps(reinterpret_cast<__m128>(mask.part[1])) << 4);
 #else
   unsigned lanes = 0;
-  for (int i = 0; i < lane_count; ++i) lanes |= (mask[i] & 1u) << i;
+  for (int i = 0; i < lane_count; ++i)
+    lanes |= static_cast<unsigned>(-mask[i]) << i;
   return lanes;
 #endif
 }
