@@ -114,12 +114,9 @@ class Geometry {
 
   /// The nearest of the eight lanes, as a hit.
   std::optional<Hit> hit_at(const Ray& ray, const Nearest& nearest) const {
-    int lane = 0;
-    for (int i = 1; i < lane_count; ++i) {
-      if (nearest.distance[i] < nearest.distance[lane]) lane = i;
-    }
-    const float distance = nearest.distance[lane];
+    const float distance = smallest(nearest.distance);
     if (!(distance < infinity)) return std::nullopt;
+    const int lane = first_lane(nearest.distance == distance);
     Hit hit;
     hit.distance = distance;
     hit.position = ray.origin + distance * ray.direction;

@@ -34,9 +34,10 @@ inline float max_component(const Vec3& v) {
   return std::max(v.x, std::max(v.y, v.z));
 }
 
-/// The largest of the three components' sizes.
+/// The largest of the three components' sizes. `glm::abs` would ask for the
+/// sign of each, and half of the guesses a processor makes at it are wrong.
 inline float max_abs_component(const Vec3& v) {
-  return max_component(glm::abs(v));
+  return max_component({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
 /// False where a component is infinite or not a number.
@@ -45,7 +46,7 @@ inline bool is_finite(const Vec3& v) {
 }
 
 inline bool is_black(const Vec3& colour) {
-  return colour.x == 0 && colour.y == 0 && colour.z == 0;
+  return (colour.x == 0) & (colour.y == 0) & (colour.z == 0);
 }
 
 }  // namespace lightwalk
