@@ -14,7 +14,7 @@ scene_stage1 := scenes/cornell_box_ceiling_diffuse.toml
 scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
-.PHONY: picture help setup build test clean $(stages) $(addprefix test-,$(stages))
+.PHONY: picture help setup build test mistakes clean $(stages) $(addprefix test-,$(stages))
 .DEFAULT_GOAL := picture
 
 picture: build
@@ -27,6 +27,7 @@ help:
 	@echo "make test          run every test"
 	@echo "make $(firstword $(stages))        build one stage alone ($(stages))"
 	@echo "make test-$(firstword $(stages))   run the tests of one stage"
+	@echo "make mistakes      put known mistakes into the stages: what do the tests catch?"
 	@echo "make setup         install what is missing (SETUP=print only says what)"
 	@echo "make clean         delete $(BUILD)/"
 	@echo "make help          this list"
@@ -56,6 +57,12 @@ $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS) --target $* $*_tests
 	@ctest --test-dir $(BUILD) --no-tests=error --output-on-failure -j $(JOBS) \
 	  -L '^$*$$'
+
+# Takes minutes at first; later runs repeat only what has changed. MISTAKES
+# names a few of them, or gives the program's options: MISTAKES="--stage 2".
+mistakes: setup $(BUILD)/CMakeCache.txt
+	@cmake --build $(BUILD) -j $(JOBS)
+	@python3 tools/mistakes.py --build $(BUILD) -j $(JOBS) $(MISTAKES)
 
 clean:
 	@cmake -E rm -rf $(BUILD)
