@@ -93,7 +93,7 @@ def test_names(folder):
 
 def check_catalogue(mistakes):
     """Refuses a catalogue that names tests or mistakes that cannot be."""
-    names = [one.name for one in mistakes]
+    names = [f"{one.stage}/{one.name}" for one in mistakes]
     for name in set(names):
         if names.count(name) > 1:
             raise Failure(f"two mistakes are called {name}")
@@ -273,7 +273,7 @@ def run_suite(program):
 
 def try_mistake(mistake, suite, given, folder, keep):
     """Builds and runs a suite with a mistake in its stage's header."""
-    folder = folder / mistake.name
+    folder = folder / f"stage{mistake.stage}" / mistake.name
     saved = folder / "result.json"
     try:
         header = changed_header(mistake, suite)
@@ -385,13 +385,13 @@ def main():
     try:
         mistakes = [one for path in sorted(CATALOGUE.glob("stage?.toml"))
                     for one in read_mistakes(path)]
-        check_catalogue(mistakes)
         unknown = set(options.names) - {one.name for one in mistakes}
         if unknown:
             raise Failure(f"no such mistake: {', '.join(sorted(unknown))}")
         chosen = [one for one in mistakes
                   if (not options.names or one.name in options.names)
                   and options.stage in (None, one.stage)]
+        check_catalogue(chosen)
         suites = {stage: Suite(build, stage)
                   for stage in sorted({one.stage for one in chosen})}
         given = {stage: precompile(suite, folder / f"given{stage}")
@@ -399,7 +399,7 @@ def main():
     except (Failure, OSError, subprocess.CalledProcessError) as failure:
         sys.exit(f"mistakes: {failure}")
     # Nothing changed must pass, or nothing that follows means anything.
-    chosen = [Mistake(stage, f"nothing-changed-{stage}",
+    chosen = [Mistake(stage, "nothing-changed",
                       "The stage as it is.", [], verdict="pass")
               for stage in suites] + chosen
 
