@@ -14,7 +14,7 @@ scene_stage1 := scenes/cornell_box_ceiling_diffuse.toml
 scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
-.PHONY: picture help setup build test goldens diff null-test clean $(stages) $(addprefix test-,$(stages))
+.PHONY: picture help setup build test mistakes goldens signatures diff null-test clean $(stages) $(addprefix test-,$(stages))
 .DEFAULT_GOAL := picture
 
 picture: build
@@ -30,6 +30,9 @@ help:
 	@echo "make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml"
 	@echo "                   render and compare two stages, images or programs"
 	@echo "make goldens       remake the golden images of the tests"
+	@echo "make signatures    remake what failing goldens are compared with"
+	@echo "make null-test     how often do the goldens reject a right program?"
+	@echo "make mistakes      put known mistakes into the stages: what do the tests catch?"
 	@echo "make setup         install what is missing (SETUP=print only says what)"
 	@echo "make clean         delete $(BUILD)/"
 	@echo "make help          this list"
@@ -75,6 +78,18 @@ SEEDS ?= 200
 null-test: build
 	@cmake --build $(BUILD) -j $(JOBS) --target null_test
 	@$(BUILD)/null_test $(SEEDS)
+
+# Takes minutes at first; later runs repeat only what has changed. MISTAKES
+# names a few of them, or gives the program's options: MISTAKES="--stage 2".
+mistakes: setup $(BUILD)/CMakeCache.txt
+	@cmake --build $(BUILD) -j $(JOBS)
+	@python3 tools/mistakes.py --build $(BUILD) -j $(JOBS) $(MISTAKES)
+
+# Renders each known mistake once, so that a failing golden can be told which
+# of them it looks like: minutes.
+signatures: setup $(BUILD)/CMakeCache.txt
+	@cmake --build $(BUILD) -j $(JOBS)
+	@python3 tools/signatures.py --build $(BUILD) -j $(JOBS)
 
 clean:
 	@cmake -E rm -rf $(BUILD)

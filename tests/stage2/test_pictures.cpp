@@ -46,6 +46,7 @@ TEST_CASE("the same bits for any number of threads, other noise for a seed") {
   const Scene scene = scene_file("cornell_box_lamp_diffuse", 30, 21);
   RenderSettings settings;
   settings.samples_per_pixel = 5;
+  settings.max_bounces = 8;
   const auto one = render_scene<stage2::PathTracer>(scene, settings, 1);
   for (const int threads : {1, 2, 7}) {
     CAPTURE(threads);

@@ -1,0 +1,152 @@
+// Points on lamps: where they lie, how often, and what each of them is worth.
+
+#include <doctest/doctest.h>
+
+#include "stages/2_next_event/path_tracer.hpp"
+#include "support/chi_squared.hpp"
+#include "support/renders.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using stage2::LightSample;
+using stage2::sample_light;
+
+namespace {
+
+constexpr int samples = 100'000;
+
+/// Counts points of the unit square; one outside fails the test.
+class Square {
+ public:
+  void add(double s, double t) {
+    const bool inside = s > -1e-3 && s < 1.001 && t > -1e-3 && t < 1.001;
+    const int row = std::clamp(static_cast<int>(s * size), 0, size - 1);
+    const int column = std::clamp(static_cast<int>(t * size), 0, size - 1);
+    const int cell = inside ? row * size + column : size * size;
+    observed_[static_cast<std::size_t>(cell)] += 1;
+  }
+  double p_value() const {
+    std::vector<double> expected(observed_.size(),
+                                 double(samples) / (size * size));
+    expected.back() = 0;
+    return chi_squared_test(observed_, expected).p_value;
+  }
+
+ private:
+  static constexpr int size = 12;
+  std::vector<double> observed_ = std::vector<double>(size * size + 1);
+};
+
+const RectangleLight slanted{{1, 2, 3}, {2, 0, 1}, {0.5f, 1, 0}, Vec3(4)};
+
+}  // namespace
+
+// point = corner + s edge_u + t edge_v; s and t come back by the two vectors
+// that are square to the other edge and to the normal.
+TEST_CASE("points on a rectangle are chosen evenly") {
+  const Vec3 normal = cross(slanted.edge_u, slanted.edge_v);
+  const Vec3 a = cross(slanted.edge_v, normal);
+  const Vec3 b = cross(normal, slanted.edge_u);
+  Random random(5, 0, 0);
+  Square square;
+  for (int i = 0; i < samples; ++i) {
+    const LightSample one =
+        sample_light(slanted, Vec3(9, -3, 5), random.uniform_2d());
+    const Vec3 from_corner = one.end - slanted.corner;
+    square.add(
+        static_cast<double>(dot(a, from_corner) / dot(a, slanted.edge_u)),
+        static_cast<double>(dot(b, from_corner) / dot(b, slanted.edge_v)));
+  }
+  CHECK(square.p_value() > significance);
+}
+
+TEST_CASE("the direction to a lamp's point has unit length and leads there") {
+  const SphereLight ball{{3, 4, 0}, 2, Vec3(1)};
+  const PointLight point{{3, 4, 0}, Vec3(1)};
+  const Vec3 x(0.5f, -1, 2);
+  Random random(5, 0, 0);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 u = random.uniform_2d();
+    for (const LightSample& one :
+         {sample_light(slanted, x, u), sample_light(ball, x, u),
+          sample_light(point, x)}) {
+      REQUIRE(std::abs(length(one.direction) - 1) < 1e-5f);
+      REQUIRE(length(one.direction - normalize(one.end - x)) < 1e-3f);
+    }
+  }
+}
+
+// Far away all points have one distance and one angle, and A = |u x v| = 6.
+TEST_CASE("a slanted lamp has the area of its parallelogram") {
+  const RectangleLight lamp{{0, 1000, 0}, {2, 0, 0}, {1, 0, 3}, Vec3(4)};
+  const LightSample one = sample_light(lamp, Vec3(0), Vec2(0.3f, 0.6f));
+  CHECK(one.weight.x == doctest::Approx(4 * 6 / 1e6).epsilon(1e-4));
+}
+
+// Equal solid angles about the axis are equal steps of 1 - cos(theta), up to
+// that of the cone, and equal steps of the azimuth.
+TEST_CASE("directions to a sphere fill its cone evenly") {
+  for (const SphereLight& lamp : {SphereLight{{0, 2, 0}, 1, Vec3(3)},
+                                  SphereLight{{3, 4, 0}, 2, Vec3(3)},
+                                  SphereLight{{-1, 0, -9}, 0.5f, Vec3(3)}}) {
+    const Vec3 axis = normalize(lamp.center);
+    const Vec3 x = normalize(cross(axis, Vec3(0.1f, 0.2f, 1)));
+    const Vec3 y = cross(axis, x);
+    const double ratio = static_cast<double>(lamp.radius) /
+                         static_cast<double>(length(lamp.center));
+    const double cone = 1 - std::sqrt(1 - ratio * ratio);
+    Random random(5, 0, 0);
+    Square square;
+    for (int i = 0; i < samples; ++i) {
+      const LightSample one =
+          sample_light(lamp, Vec3(0), random.uniform_2d());
+      // |d - axis|^2 = 2 (1 - cos), without cancellation.
+      const Vec3 aside = one.direction - axis;
+      const double turn = static_cast<double>(
+          std::atan2(dot(aside, y), dot(aside, x)) / two_pi + 0.5f);
+      square.add(static_cast<double>(dot(aside, aside)) / 2 / cone, turn);
+      REQUIRE(one.weight.x ==
+              doctest::Approx(3 * 2 * std::acos(-1.0) * cone));
+    }
+    CAPTURE(lamp.radius);
+    CHECK(square.p_value() > significance);
+  }
+}
+
+// The tangents from x touch the sphere at distance sqrt(d^2 - r^2): what is
+// nearer is on the near side.
+TEST_CASE("a shadow ray ends on the near side of the sphere") {
+  const SphereLight lamp{{3, 4, 0}, 2, Vec3(1)};
+  Random random(5, 0, 0);
+  for (int i = 0; i < 1000; ++i) {
+    const LightSample one = sample_light(lamp, Vec3(0), random.uniform_2d());
+    REQUIRE(length(one.end - lamp.center) ==
+            doctest::Approx(2).epsilon(1e-3));
+    REQUIRE(length(one.end) < std::sqrt(25.0f - 4.0f) + 1e-3f);
+  }
+}
+
+// Nothing else is in the scene, so every point of the lamp that faces x is
+// seen from x, wherever the lamp is.
+TEST_CASE("no lamp is in its own way") {
+  Scene scene;
+  Material shining;
+  shining.ke = Vec3(1);
+  const Material* lamp = scene.add(shining);
+  scene.add(Rectangle({300, 200, -100}, {2, 0, 1}, {0.5f, 1, 0}, lamp));
+  scene.add(Sphere{{-70, 40, 90}, 3, lamp});
+  Random random(5, 0, 0);
+  int facing = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec2 a = random.uniform_2d(), u = random.uniform_2d();
+    const Vec3 x(100 * a.x - 50, 100 * a.y - 50, 100 * random.uniform());
+    for (const LightSample& one :
+         {sample_light(scene.rectangle_lights[0], x, u),
+          sample_light(scene.sphere_lights[0], x, u)}) {
+      if (is_black(one.weight)) continue;
+      ++facing;
+      REQUIRE(scene.visible(x, one.end));
+    }
+  }
+  CHECK(facing >= 20'000);
+}

@@ -1,0 +1,191 @@
+// Surfaces under lights: which side is lit, what shades them, and what each
+// lamp adds to the others.
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "stages/2_next_event/path_tracer.hpp"
+#include "support/renders.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using stage2::PathTracer;
+
+namespace {
+
+constexpr const char* materials = R"(
+[materials]
+floor = { kd = 0.5 }
+black = { kd = 0 }
+lamp  = { ke = 4 }
+)";
+
+std::string plane(const std::string& normal, const std::string& distance,
+                  const std::string& material) {
+  return "[[shapes]]\ntype = \"plane\"\nnormal = " + normal +
+         "\ndistance = " + distance + "\nmaterial = \"" + material + "\"\n";
+}
+
+std::string point_light(const std::string& center) {
+  return "[[lights]]\ntype = \"point\"\ncenter = " + center +
+         "\nintensity = 9\n";
+}
+
+std::string rectangle(const std::string& corner, const std::string& edge_u,
+                      const std::string& edge_v) {
+  return "[[shapes]]\ntype = \"rectangle\"\ncorner = " + corner +
+         "\nedge_u = " + edge_u + "\nedge_v = " + edge_v +
+         "\nmaterial = \"lamp\"\n";
+}
+
+RenderSettings bounces(int max_bounces) {
+  RenderSettings settings;
+  settings.max_bounces = max_bounces;
+  return settings;
+}
+
+const Ray down{{0, 0.005f, 0}, {0, -1, 0}};
+
+/// What a rectangle a x b, parallel to the floor at height h, fills of the
+/// cosine-weighted hemisphere over the point below its corner (Howell, B-3).
+double form_factor(double a, double b, double h) {
+  const double x = a / h, y = b / h;
+  const double big_x = std::sqrt(1 + x * x), big_y = std::sqrt(1 + y * y);
+  return (x / big_x * std::atan(y / big_x) +
+          y / big_y * std::atan(x / big_y)) /
+         (2 * std::acos(-1.0));
+}
+
+}  // namespace
+
+// One plane, far from the origin, on which nothing casts a shadow, and which
+// sees nothing of itself: each point has its direct light and no more, however
+// many bounces are allowed.
+TEST_CASE("a lit wall has no dark spots where it shades itself") {
+  Scene scene =
+      scene_text(materials + plane("[0.48, 0.6, 0.64]", "1000", "floor"));
+  const Vec3 normal(0.48f, 0.6f, 0.64f);
+  const Vec3 center = -900.0f * normal;
+  scene.add(PointLight{center, Vec3(1e4f)});
+  const PathTracer tracer(scene, bounces(8));
+  Random random(1, 0, 0);
+  for (int i = 0; i < 10'000; ++i) {
+    const Vec2 u = random.uniform_2d();
+    const Vec3 aside = 500 * (u.x - 0.5f) * Vec3(0.8f, -0.64f, 0) +
+                       500 * (u.y - 0.5f) * Vec3(0, -0.64f, 0.6f);
+    const Vec3 origin = -950.0f * normal + aside;
+    const float squared = 100 * 100 + dot(aside, aside);
+    const float expected =
+        0.5f / pi * 1e4f * 100 / (squared * std::sqrt(squared));
+    REQUIRE(tracer.radiance({origin, -normal}, random).x ==
+            doctest::Approx(expected).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("a plate a hundredth over the floor shades it") {
+  const Scene scene = scene_text(
+      materials + plane("[0, 1, 0]", "0", "floor") +
+      plane("[0, -1, 0]", "0.01", "black") + point_light("[0, 2, 0]"));
+  Random random(1, 0, 0);
+  CHECK(PathTracer(scene, bounces(4)).radiance(down, random) == Vec3(0));
+}
+
+// From above the wall is lit, from below it is not; its own normal does not
+// come into it. The light is 2 away: kd/pi I / 4.
+TEST_CASE("a thin wall is lit on the side that it is seen from") {
+  for (const std::string normal : {"[0, 1, 0]", "[0, -1, 0]"}) {
+    CAPTURE(normal);
+    const Scene scene = scene_text(materials + plane(normal, "0", "floor") +
+                                   point_light("[0, 2, 0]"));
+    const PathTracer tracer(scene, bounces(1));
+    Random random(1, 0, 0);
+    CHECK(tracer.radiance(down, random).x ==
+          doctest::Approx(0.5 / 3.14159265 * 9 / 4));
+    CHECK(tracer.radiance({{0, -1, 0}, {0, 1, 0}}, random) == Vec3(0));
+  }
+}
+
+// The same for lamps with an area, which the thin wall hides.
+TEST_CASE("a thin wall does not glow in the light of a lamp behind it") {
+  for (const std::string& lamp :
+       {rectangle("[-1, 2, -1]", "[2, 0, 0]", "[0, 0, 2]"),
+        std::string("[[shapes]]\ntype = \"sphere\"\ncenter = [0, 2, 0]\n"
+                    "radius = 1\nmaterial = \"lamp\"\n")}) {
+    const Scene scene =
+        scene_text(materials + plane("[0, 1, 0]", "0", "floor") + lamp);
+    const PathTracer tracer(scene, bounces(1));
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      Random random(1, 0, i);
+      REQUIRE(tracer.radiance({{0, -1, 0}, {0, 1, 0}}, random) == Vec3(0));
+      REQUIRE(tracer.radiance(down, random).x > 0);
+    }
+  }
+}
+
+// The lamp stands upright, half of it below the floor's horizon. That half
+// does not count: neither does it light, nor does it take light away.
+TEST_CASE("a lamp half below the horizon gives what its upper half gives") {
+  const auto lit_by = [](const std::string& lamp) {
+    const Scene scene =
+        scene_text(materials + plane("[0, 1, 0]", "0", "floor") + lamp);
+    return estimate(PathTracer(scene, bounces(1)), down, 50'000);
+  };
+  const Pixel whole =
+      lit_by(rectangle("[1, -1, -1]", "[0, 0, 2]", "[0, 2, 0]"));
+  const Pixel upper =
+      lit_by(rectangle("[1, 0, -1]", "[0, 0, 2]", "[0, 1, 0]"));
+  CAPTURE(whole.mean[0]);
+  CAPTURE(upper.mean[0]);
+  CHECK(upper.mean[0] > 0.01);
+  CHECK(std::abs(whole.mean[0] - upper.mean[0]) <
+        4.4 * std::sqrt((whole.variance(0) + upper.variance(0)) / 50'000));
+}
+
+// Four lamps that touch over the point, each seen from its corner.
+TEST_CASE("a lamp of four parts: kd ke 4 F, each part counted once") {
+  const Scene scene = scene_text(
+      materials + plane("[0, 1, 0]", "0", "floor") +
+      rectangle("[0, 0.8, 0]", "[1.5, 0, 0]", "[0, 0, 0.7]") +
+      rectangle("[-1.5, 0.8, 0]", "[1.5, 0, 0]", "[0, 0, 0.7]") +
+      rectangle("[0, 0.8, -0.7]", "[1.5, 0, 0]", "[0, 0, 0.7]") +
+      rectangle("[-1.5, 0.8, -0.7]", "[1.5, 0, 0]", "[0, 0, 0.7]"));
+  const Pixel pixel = estimate(PathTracer(scene, bounces(1)), down, 100'000);
+  const double truth = 0.5 * 4 * 4 * form_factor(1.5, 0.7, 0.8);
+  CAPTURE(pixel.mean[0] / truth);
+  CHECK(deviations(pixel, 0, truth) < 4.4);
+}
+
+// Triangles cannot be asked, so their light is found by hits, and counts.
+TEST_CASE("a lamp of two triangles gives what its rectangle gives") {
+  const Scene scene = scene_text(
+      materials + plane("[0, 1, 0]", "0", "floor") +
+      "[[shapes]]\ntype = \"triangle\"\nmaterial = \"lamp\"\n"
+      "vertices = [[0, 0.8, 0], [1.5, 0.8, 0], [1.5, 0.8, 0.7]]\n"
+      "[[shapes]]\ntype = \"triangle\"\nmaterial = \"lamp\"\n"
+      "vertices = [[0, 0.8, 0], [1.5, 0.8, 0.7], [0, 0.8, 0.7]]\n");
+  const Pixel pixel = estimate(PathTracer(scene, bounces(1)), down, 100'000);
+  const double truth = 0.5 * 4 * form_factor(1.5, 0.7, 0.8);
+  CAPTURE(pixel.mean[0] / truth);
+  CHECK(deviations(pixel, 0, truth) < 4.4);
+}
+
+// What a point of a lamp is worth depends on where it lies, so a hundred
+// samples are a hundred numbers, but for a few that rounding makes equal.
+TEST_CASE("each sample asks another point of the lamp") {
+  for (const std::string& lamp :
+       {rectangle("[0, 0.8, 0]", "[1.5, 0, 0]", "[0, 0, 0.7]"),
+        std::string("[[shapes]]\ntype = \"sphere\"\ncenter = [1, 2, 0]\n"
+                    "radius = 1\nmaterial = \"lamp\"\n")}) {
+    const Scene scene =
+        scene_text(materials + plane("[0, 1, 0]", "0", "floor") + lamp);
+    const PathTracer tracer(scene, bounces(1));
+    std::set<float> values;
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      Random random(1, 0, i);
+      values.insert(tracer.radiance(down, random).x);
+    }
+    CAPTURE(lamp);
+    CHECK(values.size() > 90);
+  }
+}

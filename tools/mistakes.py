@@ -1,0 +1,430 @@
+#!/usr/bin/env python3
+"""Proves what the tests are worth: puts mistakes into the stages, one by one.
+
+Each mistake of tests/mistakes/stageN.toml is a small change to the header of
+stage N. It is made in a copy, which the compiler finds before the header
+itself; the stage's suite is built against it and run; and the tests that fail
+have caught it. The table of mistakes and tests is written to
+build/mistakes/table.md and table.json. What ends the program with 1:
+
+- the text to replace is not in the header exactly once;
+- the changed header does not compile;
+- no test catches the mistake;
+- a test fails for a variant that is no mistake (verdict = "pass").
+
+Results are kept: what has not changed since is not run again.
+"""
+
+import argparse
+import concurrent.futures
+import dataclasses
+import hashlib
+import html
+import json
+import os
+import pathlib
+import re
+import resource
+import shlex
+import shutil
+import subprocess
+import sys
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+CATALOGUE = ROOT / "tests" / "mistakes"
+
+# Seconds of processor time, not of the clock: a busy machine does not make a
+# mistake look caught. A right suite needs less than a quarter of it.
+TIME_LIMIT = 90
+
+
+class Failure(Exception):
+    """Something that the user has to put right."""
+
+
+@dataclasses.dataclass
+class Mistake:
+    """One change to one stage's header, or a variant that is none."""
+
+    stage: int
+    name: str
+    sentence: str
+    edits: list
+    number: int | None = None
+    caught_by: str = ""
+    verdict: str = "fail"
+
+
+@dataclasses.dataclass
+class Result:
+    """What became of a mistake."""
+
+    key: str
+    caught: list  # names of the tests that failed, or hung or crashed
+    end: str  # "", "time limit" or "crash"
+    error: str  # why there is no result
+
+
+def read_mistakes(path):
+    """The mistakes of one stageN.toml."""
+    stage = int(re.fullmatch(r"stage(\d)", path.stem)[1])
+    result = []
+    for entry in tomllib.loads(path.read_text())["mistake"]:
+        edits = entry.pop("edit", None) or [entry]
+        edits = [(edit["find"], edit["replace"]) for edit in edits]
+        entry.pop("find", None)
+        entry.pop("replace", None)
+        result.append(Mistake(stage=stage, edits=edits, **entry))
+    return result
+
+
+def test_names(folder):
+    """The names of the test cases in a folder's sources."""
+    literal = r'"(?:[^"\\]|\\.)*"'
+    names = []
+    for path in sorted(folder.glob("*.cpp")):
+        for case in re.findall(rf"TEST_CASE\(\s*((?:{literal}\s*)+)\)",
+                               path.read_text()):
+            names.append("".join(
+                one[1:-1] for one in re.findall(literal, case)))
+    return names
+
+
+def check_catalogue(mistakes):
+    """Refuses a catalogue that names tests or mistakes that cannot be."""
+    names = [f"{one.stage}/{one.name}" for one in mistakes]
+    for name in set(names):
+        if names.count(name) > 1:
+            raise Failure(f"two mistakes are called {name}")
+    tests = {stage: test_names(ROOT / "tests" / f"stage{stage}")
+             for stage in {one.stage for one in mistakes}}
+    for one in mistakes:
+        if one.verdict not in ("pass", "fail"):
+            raise Failure(f"{one.name}: verdict is neither pass nor fail")
+        if one.verdict == "fail" and not one.caught_by:
+            raise Failure(f"{one.name}: caught_by is missing")
+        if one.caught_by and not any(
+                test.startswith(one.caught_by) for test in tests[one.stage]):
+            raise Failure(f"{one.name}: stage {one.stage} has no test called "
+                          f"\"{one.caught_by}\"")
+    core = test_names(ROOT / "tests" / "core")
+    for one in tomllib.loads(
+            (CATALOGUE / "not_here.toml").read_text())["mistake"]:
+        for guard in one["guarded_by"]:
+            if guard not in core:
+                raise Failure(f"not_here.toml: number {one['number']}: "
+                              f"no core test is called \"{guard}\"")
+
+
+class Suite:
+    """How the build compiles and links one stage's suite."""
+
+    def __init__(self, build, stage):
+        self.build = build
+        self.stage = stage
+        self.target = f"stage{stage}_tests"
+        headers = list(ROOT.glob(f"stages/{stage}_*/path_tracer.hpp"))
+        if not headers:
+            raise Failure(f"stage {stage} is not in this tree")
+        self.header = headers[0]
+        self.compile = {}
+        for entry in json.loads((build / "compile_commands.json").read_text()):
+            words = shlex.split(entry["command"])
+            if f"{self.target}.dir/" in words[words.index("-o") + 1]:
+                self.compile[pathlib.Path(entry["file"])] = words
+        self.link = self.link_command()
+        self.given_key = self.hash_given()
+
+    def link_command(self):
+        """The command that links the suite, as a list of words."""
+        if (self.build / "build.ninja").exists():
+            lines = subprocess.run(
+                ["ninja", "-C", self.build, "-t", "commands", self.target],
+                check=True, capture_output=True, text=True).stdout
+            line = lines.strip().splitlines()[-1]
+            line = line.removeprefix(": && ").removesuffix(" && :")
+            folder = self.build
+        else:
+            folder = self.build / "tests"
+            line = (folder / "CMakeFiles" / f"{self.target}.dir" /
+                    "link.txt").read_text()
+        words = []
+        for word in shlex.split(line):
+            if f"{self.target}.dir/" in word:
+                continue  # the suite's own objects
+            path = folder / word
+            words.append(str(path) if word.endswith(".o") else word)
+        return words
+
+    def hash_given(self):
+        """Of all that a mistake does not change, but for the suite itself."""
+        files = [path for pattern in ("common/*.hpp", "tests/support/*",
+                                      "tests/golden/**/*", "tools/*.hpp",
+                                      "scenes/**/*")
+                 for path in ROOT.glob(pattern) if path.is_file()]
+        files += [path for path in ROOT.glob("stages/*/path_tracer.hpp")
+                  if int(path.parent.name[0]) < self.stage]
+        whole = hashlib.sha256(repr(self.link).encode())
+        for path in sorted(files):
+            whole.update(str(path).encode() + path.read_bytes())
+        return whole.hexdigest()
+
+    def object_key(self, source, header):
+        """Of all that one object file is made from."""
+        words = repr(self.compile[source])
+        return hashlib.sha256("\0".join(
+            (self.given_key, words, source.read_text(), header)).encode()
+        ).hexdigest()
+
+    def compile_command(self, source, target, folders):
+        """As the build compiles it, but faster, and into another file."""
+        words = list(self.compile[source])
+        words[words.index("-o") + 1] = str(target)
+        words[words.index("-c") + 1] = str(source)
+        for option in ("-MD", "-MT", "-MF"):
+            if option in words:
+                place = words.index(option)
+                del words[place:place + (1 if option == "-MD" else 2)]
+        words = ["-O1" if word in ("-O2", "-O3") else word for word in words]
+        return words[:1] + folders + words[1:]
+
+
+def run(command, what):
+    """Runs a compiler or linker, whose complaint is the error."""
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        lines = [line for line in done.stderr.splitlines() if "error" in line]
+        raise Failure(f"{what}: {(lines or [done.stderr])[0].strip()}")
+
+
+def precompile(suite, folder):
+    """Compiles once what all sources include and no mistake can change."""
+    key = suite.given_key
+    stamp = folder / "given.key"
+    header = folder / "given.hpp"
+    if stamp.exists() and stamp.read_text() == key:
+        return header
+    folder.mkdir(parents=True, exist_ok=True)
+    source = next(iter(suite.compile))
+    words = suite.compile_command(source, "-", [])
+    includes = ["#include <doctest/doctest.h>\n"]
+    for path in sorted((ROOT / "tests" / "support").glob("*.hpp")):
+        probe = [str(path) if word == str(source) else word for word in words]
+        probe = [word for word in probe if word not in ("-o", "-", "-c")]
+        needs = subprocess.run(probe + ["-MM"], capture_output=True, text=True)
+        if needs.returncode == 0 and "stages/" not in needs.stdout:
+            includes.append(f'#include "{path}"\n')
+    header.write_text("".join(includes))
+    words = suite.compile_command(source, folder / "given.hpp.gch", [])
+    words[words.index("-c") + 1] = str(header)
+    words[words.index("-c"):words.index("-c")] = ["-x", "c++-header"]
+    run(words, "what the suites include does not compile")
+    stamp.write_text(key)
+    return header
+
+
+def changed_header(mistake, suite):
+    """The header's text with the mistake in it."""
+    text = suite.header.read_text()
+    for find, replace in mistake.edits:
+        if text.count(find) != 1:
+            raise Failure(f"the text to replace occurs {text.count(find)} "
+                          f"times in {suite.header.relative_to(ROOT)}: "
+                          f"{find.strip().splitlines()[0]}")
+        text = text.replace(find, replace)
+    return text
+
+
+def failed_tests(report):
+    """Names of the failed test cases, and of one that did not end."""
+    caught = []
+    for part in re.split(r"<TestCase (?=name=)", report)[1:]:
+        name = html.unescape(re.match(r'name="([^"]*)"', part)[1])
+        ended = "</TestCase>" in part
+        if 'skipped="true"' in part.split(">")[0]:
+            continue
+        if not ended or 'test_case_success="false"' in part:
+            caught.append(name)
+    return caught
+
+
+def limit_time():
+    """In the child: a signal after so many seconds of processor time."""
+    resource.setrlimit(resource.RLIMIT_CPU, (TIME_LIMIT, TIME_LIMIT + 1))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def run_suite(program):
+    """The tests that failed, and how the program ended."""
+    try:
+        done = subprocess.run([program, "-r=xml"], capture_output=True,
+                              text=True, errors="replace",
+                              preexec_fn=limit_time, timeout=20 * TIME_LIMIT,
+                              cwd=program.parent)
+        report, code = done.stdout, done.returncode
+    except subprocess.TimeoutExpired as late:
+        report, code = (late.stdout or b"").decode(errors="replace"), -24
+    end = "" if code in (0, 1) else "crash"
+    if code in (-24, -9):  # SIGXCPU
+        end = "time limit"
+    return failed_tests(report), end
+
+
+def try_mistake(mistake, suite, given, folder, keep):
+    """Builds and runs a suite with a mistake in its stage's header."""
+    folder = folder / f"stage{mistake.stage}" / mistake.name
+    saved = folder / "result.json"
+    try:
+        header = changed_header(mistake, suite)
+    except Failure as failure:
+        return Result("", [], "", str(failure))
+    keys = {source: suite.object_key(source, header)
+            for source in sorted(suite.compile)}
+    key = hashlib.sha256(repr(sorted(keys.values())).encode()).hexdigest()
+    if saved.exists():
+        result = Result(**json.loads(saved.read_text()))
+        if result.key == key:
+            return result
+    overlay = folder / suite.header.relative_to(ROOT)
+    overlay.parent.mkdir(parents=True, exist_ok=True)
+    overlay.write_text(header)
+    objects = []
+    result = Result(key, [], "", "")
+    try:
+        for source, object_key in keys.items():
+            target = folder / f"{source.stem}.o"
+            stamp = folder / f"{source.stem}.key"
+            objects.append(str(target))
+            if (target.exists() and stamp.exists()
+                    and stamp.read_text() == object_key):
+                continue
+            stamp.unlink(missing_ok=True)
+            run(suite.compile_command(source, target,
+                                      [f"-I{folder}", "-include", str(given)]),
+                "does not compile")
+            stamp.write_text(object_key)
+        program = folder / suite.target
+        link = list(suite.link)
+        place = link.index("-o")
+        link[place + 1] = str(program)
+        run(link[:place] + objects + link[place:], "does not link")
+        (result.caught, result.end) = run_suite(program)
+    except Failure as failure:
+        result.error = str(failure)
+    else:
+        program.unlink()
+        if not keep:
+            for name in objects:
+                path = pathlib.Path(name)
+                path.unlink()
+                path.with_suffix(".key").unlink()
+    saved.write_text(json.dumps(dataclasses.asdict(result), indent=1))
+    return result
+
+
+def judge(mistake, result):
+    """What is wrong with the outcome: a word for the table, and an error."""
+    if result.error:
+        return "no result", result.error
+    caught = bool(result.caught or result.end)
+    if mistake.verdict == "pass":
+        if caught:
+            return "wrongly caught", "is no mistake, and was caught by: " + \
+                "; ".join(result.caught)
+        return "passes, as it should", ""
+    if not caught:
+        return "NOT CAUGHT", "no test catches it"
+    if any(test.startswith(mistake.caught_by) for test in result.caught):
+        return "as expected", ""
+    return "by other tests", ""
+
+
+def as_markdown(rows):
+    """The table of mistakes, and that of tests."""
+    lines = ["# Mistakes, and the tests that catch them\n"]
+    for stage in sorted({mistake.stage for mistake, _, _ in rows}):
+        lines += [f"\n## Stage {stage}\n",
+                  "| # | mistake | what is wrong | expected test | caught by |",
+                  "|---|---|---|---|---|"]
+        caught = {test: 0 for test in
+                  test_names(ROOT / "tests" / f"stage{stage}")}
+        for mistake, result, word in rows:
+            if mistake.stage != stage:
+                continue
+            tests = list(result.caught)
+            for test in tests:
+                caught[test] = caught.get(test, 0) + 1
+            if result.end:
+                tests.append(f"*{result.end}*")
+            cells = (str(mistake.number or "-"), mistake.name,
+                     mistake.sentence, word, "; ".join(tests) or "-")
+            lines.append("| " + " | ".join(
+                cell.replace("|", "\\|") for cell in cells) + " |")
+        lines += ["\n| test | mistakes it caught |", "|---|---|"]
+        lines += [f"| {test.replace('|', chr(92) + '|')} | {count} |"
+                  for test, count in caught.items()]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    """Runs the mistakes that were asked for."""
+    parser = argparse.ArgumentParser(
+        description="Puts each known mistake into its stage and sees which "
+        "tests catch it.")
+    parser.add_argument("names", nargs="*", help="only these mistakes")
+    parser.add_argument("--stage", type=int, help="only this stage's")
+    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build",
+                        help="a configured and built folder")
+    parser.add_argument("--keep", action="store_true",
+                        help="keep object files: faster when tests change")
+    options = parser.parse_args()
+    build = options.build.resolve()
+    folder = build / "mistakes"
+    try:
+        mistakes = [one for path in sorted(CATALOGUE.glob("stage?.toml"))
+                    for one in read_mistakes(path)]
+        unknown = set(options.names) - {one.name for one in mistakes}
+        if unknown:
+            raise Failure(f"no such mistake: {', '.join(sorted(unknown))}")
+        chosen = [one for one in mistakes
+                  if (not options.names or one.name in options.names)
+                  and options.stage in (None, one.stage)]
+        check_catalogue(chosen)
+        suites = {stage: Suite(build, stage)
+                  for stage in sorted({one.stage for one in chosen})}
+        given = {stage: precompile(suite, folder / f"given{stage}")
+                 for stage, suite in suites.items()}
+    except (Failure, OSError, subprocess.CalledProcessError) as failure:
+        sys.exit(f"mistakes: {failure}")
+    # Nothing changed must pass, or nothing that follows means anything.
+    chosen = [Mistake(stage, "nothing-changed",
+                      "The stage as it is.", [], verdict="pass")
+              for stage in suites] + chosen
+
+    rows, errors = [], 0
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        results = pool.map(
+            lambda one: try_mistake(one, suites[one.stage], given[one.stage],
+                                    folder, options.keep), chosen)
+        for mistake, result in zip(chosen, results):
+            word, error = judge(mistake, result)
+            rows.append((mistake, result, word))
+            errors += bool(error)
+            print(f"stage {mistake.stage}: {mistake.name}: {error or word}",
+                  flush=True)
+    table = [{**dataclasses.asdict(mistake), "outcome": word,
+              "tests": result.caught, "end": result.end,
+              "error": result.error} for mistake, result, word in rows]
+    (folder / "table.json").write_text(json.dumps(table, indent=1) + "\n")
+    (folder / "table.md").write_text(as_markdown(rows))
+    total = {word: sum(row[2] == word for row in rows)
+             for word in dict.fromkeys(row[2] for row in rows)}
+    print(", ".join(f"{count} {word}" for word, count in total.items()))
+    print(f"The table is {folder / 'table.md'}")
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+"""Renders each known mistake of the catalogue, and keeps what it looks like.
+
+    signatures.py [--stage N] [-j JOBS] [--build build]
+
+A mistake that a golden image catches leaves its signature, the means and
+variances of tiles, in tests/golden/signatures/stageN_scene.txt: a failing
+golden is compared with them, and names those that it cannot be told from. Then
+every mistake is rendered again with another seed, and its diagnosis noted in
+build/signatures/confusion.md: which is named first, and is it the right one?
+"""
+
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+import mistakes as catalogue
+
+ROOT = catalogue.ROOT
+SIGNATURES = ROOT / "tests" / "golden" / "signatures"
+
+
+def build_suite(mistake, suite, given, folder):
+    """Compiles the golden test alone with the mistake. Returns the program."""
+    folder = folder / f"stage{mistake.stage}" / mistake.name
+    overlay = folder / suite.header.relative_to(ROOT)
+    overlay.parent.mkdir(parents=True, exist_ok=True)
+    program = folder / suite.target
+    header = catalogue.changed_header(mistake, suite)
+    if program.exists() and overlay.exists() and overlay.read_text() == header:
+        return program
+    overlay.write_text(header)
+    source = ROOT / "tests" / f"stage{mistake.stage}" / "test_goldens.cpp"
+    target = folder / "suite.o"
+    options = [f"-I{folder}", "-include", str(given)]
+    catalogue.run(suite.compile_command(source, target, options), mistake.name)
+    place = suite.link.index("-o")
+    catalogue.run(
+        [*suite.link[:place], str(target), "-o", str(program), *suite.link[place + 2 :]],
+        mistake.name,
+    )
+    target.unlink()
+    return program
+
+
+def run_goldens(program, seed, name=None):
+    """What the golden test says with this seed; signatures are left beside."""
+    environment = {**os.environ, "LIGHTWALK_GOLDEN_SEED": str(seed)}
+    if name:
+        environment["LIGHTWALK_SIGNATURE"] = name
+        for old in program.parent.glob("stage*_*.txt"):
+            old.unlink()
+    try:
+        done = subprocess.run(
+            [program], env=environment, cwd=program.parent, capture_output=True,
+            text=True, errors="replace", timeout=600,
+            preexec_fn=catalogue.limit_time,
+        )
+        return done.stdout
+    except subprocess.TimeoutExpired:
+        return ""
+
+
+def in_parallel(jobs, function, items):
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        return list(pool.map(function, items))
+
+
+def collect(rows):
+    """Writes the signatures of all programs, a file for a stage and scene."""
+    SIGNATURES.mkdir(exist_ok=True)
+    for old in SIGNATURES.glob("*.txt"):
+        old.unlink()
+    for _, program in rows:
+        for path in sorted(program.parent.glob("stage*_*.txt")):
+            with open(SIGNATURES / path.name, "a") as file:
+                file.write(path.read_text())
+
+
+def confusion(rows, reports):
+    """A table of each mistake and what its pictures are diagnosed as."""
+    lines = ["| stage | mistake | diagnosis | first is right |", "|---|---|---|---|"]
+    caught = right = 0
+    for (mistake, _), report in zip(rows, reports):
+        failures = report.count(f"of stage{mistake.stage}: ")
+        if not failures:
+            continue
+        caught += 1
+        said = re.findall(r"it agrees with (.*)", report)
+        first = [re.match(r"'([^']*)'", one)[1] for one in said]
+        votes = {name: first.count(name) for name in first}
+        best = max(votes, key=votes.get) if votes else "nothing"
+        right += best == mistake.name
+        lines.append(
+            f"| {mistake.stage} | {mistake.name} | {'; '.join(said) or '-'} "
+            f"| {'yes' if best == mistake.name else best} |"
+        )
+    lines.append(f"\n{right} of the {caught} that a golden catches are named first.")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--stage", type=int)
+    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
+    options = parser.parse_args()
+    build = options.build.resolve()
+    folder = build / "signatures"
+    mistakes = [
+        one
+        for path in sorted(catalogue.CATALOGUE.glob("stage?.toml"))
+        for one in catalogue.read_mistakes(path)
+        if one.verdict == "fail" and options.stage in (None, one.stage)
+    ]
+    suites = {n: catalogue.Suite(build, n) for n in sorted({m.stage for m in mistakes})}
+    given = {n: catalogue.precompile(s, folder / f"given{n}") for n, s in suites.items()}
+
+    def render(mistake):
+        program = build_suite(mistake, suites[mistake.stage], given[mistake.stage], folder)
+        report = run_goldens(program, 5, mistake.name)
+        print(f"stage {mistake.stage}: {mistake.name}: "
+              f"{report.count('ERROR: ')} goldens catch it", flush=True)
+        return mistake, program
+
+    try:
+        rows = in_parallel(options.jobs, render, mistakes)
+    except catalogue.Failure as failure:
+        sys.exit(f"signatures: {failure}")
+    if options.stage is None:
+        collect(rows)
+    reports = in_parallel(options.jobs, lambda row: run_goldens(row[1], 77), rows)
+    table = confusion(rows, reports)
+    (folder / "confusion.md").write_text(table)
+    print(table.splitlines()[-1])
+    print(f"The table is {folder / 'confusion.md'}")
+
+
+if __name__ == "__main__":
+    main()
