@@ -4,7 +4,7 @@
 
 #include "stages/3_specular_refraction/path_tracer.hpp"
 #include "support/comparisons.hpp"
-#include "support/renders.hpp"
+#include "support/specular_scenes.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
@@ -58,6 +58,37 @@ TEST_CASE("a lamp is seen in a mirror as bright as it is") {
                                    lamp + "material = \"lamp\"\n");
     CHECK(one_sample(scene, down, 1) == Vec3(2));
   }
+}
+
+// The mirrored ray goes straight up and misses the lamp; what is refracted
+// meets nothing. So only the diffuse part brings light, asked for or found,
+// but not both: kd ke cos (r/d)^2.
+TEST_CASE("a diffuse wall under a lamp: kd ke F, counted once") {
+  for (const char* material :
+       {"{ kd = 0.5 }", "{ kd = 0.5, ks = 0.2, kt = 0.1 }"}) {
+    const Scene scene = scene_text(floor_of(material) +
+                                   "[[shapes]]\ntype = \"sphere\"\n"
+                                   "center = [3, 4, 0]\nradius = 2\n"
+                                   "material = \"lamp\"\n");
+    RenderSettings settings;
+    settings.max_bounces = 1;
+    const Pixel pixel = estimate(PathTracer(scene, settings),
+                                 {{0, 0.01f, 0}, {0, -1, 0}}, 50'000);
+    CAPTURE(pixel.mean[0]);
+    CHECK(deviations(pixel, 0, 0.5 * 4 * 0.8 * 4 / 25) < 4.4);
+  }
+}
+
+// From the floor to the mirror to the lamp: the floor asked the lamp, which
+// hid its light from it, and the mirror asked nobody.
+TEST_CASE("a lamp in a mirror lights the floor") {
+  const Scene scene = mirrored_lamp();
+  RenderSettings settings;
+  settings.max_bounces = 2;
+  const Pixel pixel = estimate(PathTracer(scene, settings),
+                               {{0, 0.5f, 0}, {0, -1, 0}}, 50'000);
+  CAPTURE(pixel.mean[0]);
+  CHECK(deviations(pixel, 0, mirrored_lamp_radiance()) < 4.4);
 }
 
 // The glass hides the lamp from the floor's shadow rays: straight through it

@@ -105,6 +105,60 @@ TEST_CASE("a coloured mirror colours what it shows") {
   CHECK(radiance.z == doctest::Approx(0.1));
 }
 
+// Through the middle of the ball: two refractions, each kt.
+TEST_CASE("coloured glass colours what is seen through it") {
+  const Scene scene =
+      in_white_room("{ kt = [0.9, 0.5, 0.1] }", ball("thing"));
+  const PathTracer tracer(scene, bounces(8));
+  Random random(1, 0, 0);
+  const Vec3 radiance = tracer.radiance({{0, 0, -5}, {0, 0, 1}}, random);
+  CHECK(radiance.x == doctest::Approx(0.81));
+  CHECK(radiance.y == doctest::Approx(0.25));
+  CHECK(radiance.z == doctest::Approx(0.01));
+}
+
+TEST_CASE("a lobe of one colour is followed") {
+  for (const char* material :
+       {"{ ks = [0.9, 0, 0] }", "{ ks = [0.5, 0, 0], kd = [0.4, 0, 0] }"}) {
+    CAPTURE(material);
+    const Scene scene = in_white_room(material, ball("thing"));
+    Random random(1, 0, 0);
+    const Ray ray{{0, 0, -5}, {0, 0, 1}};
+    const Vec3 radiance = PathTracer(scene, bounces(1)).radiance(ray, random);
+    CHECK(radiance.x == doctest::Approx(0.9));
+    CHECK(radiance.y == 0);
+  }
+}
+
+// Water and diamond: 1.33^2 and 2.42^2 inside, and nothing outside.
+TEST_CASE("each material has its own eta") {
+  for (const auto& [eta, inside] :
+       {std::pair("1.33", 1.7689), std::pair("2.42", 5.8564)}) {
+    CAPTURE(eta);
+    const Scene scene = in_white_room(
+        std::string("{ kt = 1, eta = ") + eta + " }", ball("thing"));
+    const PathTracer tracer(scene, bounces(1));
+    Random random(1, 0, 0);
+    CHECK(tracer.radiance({{0.1f, 0, 0}, {0, 0, 1}}, random).x ==
+          doctest::Approx(inside).epsilon(1e-5));
+    check_all_rays(scene, 8, 1);
+  }
+}
+
+// Between two mirrors a path has no end. Each ray but the first follows a
+// bounce, so there are 65 at most, however many bounces are asked for.
+TEST_CASE("more than 64 bounces are never made") {
+  const Scene scene = scene_text(
+      "[materials]\nmirror = { ks = 1 }\n[[shapes]]\ntype = \"plane\"\n"
+      "normal = [0, 0, 1]\ndistance = 1\nmaterial = \"mirror\"\n"
+      "[[shapes]]\ntype = \"plane\"\nnormal = [0, 0, -1]\ndistance = 1\n"
+      "material = \"mirror\"\n");
+  Random random(1, 0, 0);
+  const std::uint64_t before = rays_cast;
+  PathTracer(scene, {}).radiance({{0, 0, 0}, {0, 0, 1}}, random);
+  CHECK(rays_cast - before == 65);
+}
+
 // After 1 bounce the diffuse and the mirrored ray have reached the room, which
 // brings kd + ks; the refracted one is still inside the ball.
 TEST_CASE("all lobes of a mixed material are followed") {

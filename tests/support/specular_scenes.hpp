@@ -52,6 +52,53 @@ inline Scene in_white_room(const std::string& material,
                     material + "\n" + white_room() + shape);
 }
 
+/// A floor (y = 0, kd = 0.5), a mirror above it (y = 2, ks = 0.8, looking
+/// down), and between them a lamp (y = 1, ke = 4) that shines upwards. The
+/// floor is lit by way of the mirror alone.
+inline Scene mirrored_lamp() {
+  return scene_text(R"([materials]
+floor  = { kd = 0.5 }
+mirror = { ks = 0.8 }
+lamp   = { ke = 4 }
+[[shapes]]
+type = "plane"
+normal = [0, 1, 0]
+distance = 0
+material = "floor"
+[[shapes]]
+type = "plane"
+normal = [0, -1, 0]
+distance = 2
+material = "mirror"
+[[shapes]]
+type = "rectangle"
+corner = [3, 1, -3]
+edge_u = [0, 0, 6]
+edge_v = [6, 0, 0]
+material = "lamp"
+)");
+}
+
+/// The share of the cosine-weighted hemisphere that a parallel rectangle
+/// a x b fills, seen from below one corner at distance h (Howell, A Catalog of
+/// Radiation Heat Transfer Configuration Factors, B-3).
+inline double rectangle_form_factor(double a, double b, double h) {
+  const double x = a / h, y = b / h;
+  const double big_x = std::sqrt(1 + x * x), big_y = std::sqrt(1 + y * y);
+  return (x / big_x * std::atan(y / big_x) +
+          y / big_y * std::atan(x / big_y)) /
+         (2 * std::acos(-1.0));
+}
+
+/// What the floor of `mirrored_lamp` sends up from the origin: kd ks ke F,
+/// where F is that of the lamp's image in the mirror, at y = 3, x from 3 to 9
+/// and z from -3 to 3. The lamp itself is not in the way: it starts at x = 3,
+/// and at its height the rays to the image's far edge have come to x = 3.
+inline double mirrored_lamp_radiance() {
+  return 0.5 * 0.8 * 4 * 2 *
+         (rectangle_form_factor(9, 3, 3) - rectangle_form_factor(3, 3, 3));
+}
+
 /// A ray towards the thing from anywhere around it.
 inline Ray ray_at_thing(Random& random) {
   const auto point_on_sphere = [&] {
