@@ -14,7 +14,7 @@ scene_stage1 := scenes/cornell_box_ceiling_diffuse.toml
 scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
-.PHONY: picture help setup build test mistakes goldens signatures diff null-test clean $(stages) $(addprefix test-,$(stages))
+.PHONY: picture help setup build test bench bench-peers mistakes goldens signatures diff null-test clean $(stages) $(addprefix test-,$(stages))
 .DEFAULT_GOAL := picture
 
 picture: build
@@ -33,6 +33,8 @@ help:
 	@echo "make signatures    remake what failing goldens are compared with"
 	@echo "make null-test     how often do the goldens reject a right program?"
 	@echo "make mistakes      put known mistakes into the stages: what do the tests catch?"
+	@echo "make bench         measure what everything costs (BASE=old.json compares)"
+	@echo "make bench-peers   time stage 4 and Mitsuba 3 side by side"
 	@echo "make setup         install what is missing (SETUP=print only says what)"
 	@echo "make clean         delete $(BUILD)/"
 	@echo "make help          this list"
@@ -90,6 +92,22 @@ mistakes: setup $(BUILD)/CMakeCache.txt
 signatures: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS)
 	@python3 tools/signatures.py --build $(BUILD) -j $(JOBS)
+# Repetitions, since times scatter: BASE names an earlier bench.json.
+BENCH_ARGS ?= --benchmark_repetitions=5 --benchmark_min_time=0.1
+bench: setup $(BUILD)/CMakeCache.txt
+	@cmake --build $(BUILD) -j $(JOBS) --target benchmarks
+	@$(BUILD)/benchmarks $(BENCH_ARGS) --benchmark_out_format=json \
+	  --benchmark_out=$(BUILD)/bench.json > /dev/null
+	@tools/compare_benchmarks.py $(BUILD)/bench.json $(BASE)
+
+# Mitsuba 3 in an environment of its own, side by side with stage 4. LLVM is
+# the system's: `apt-get install libllvm19` where Debian 12 has it, and
+# DRJIT_LIBLLVM_PATH=/usr/lib/x86_64-linux-gnu/libLLVM.so.19.1
+peers := $(BUILD)/peers
+bench-peers: build
+	@test -d $(peers) || python3 -m venv $(peers)
+	@$(peers)/bin/pip install -q mitsuba numpy
+	@$(peers)/bin/python tools/bench_peers.py --build $(BUILD)
 
 clean:
 	@cmake -E rm -rf $(BUILD)

@@ -14,7 +14,8 @@
 // slips into a glass cube without being refracted is never right again. So
 // each reaches over its edges as far as rounding may have moved $x$: a few
 // millionths of its size and of the way there, divided by the cosine at which
-// the ray grazes the plane.
+// the ray grazes the plane. But never farther than its own length: a ray that
+// is parallel to the plane but for rounding meets it miles away.
 
 #include "common/lanes.hpp"
 #include "common/ray.hpp"
@@ -86,8 +87,8 @@ struct FlatPack {
     const Float8 s = dot(dual_u, x);
     const Float8 t = dot(dual_v, x);
     const Float8 cosine = abs(slope);
-    const Float8 over_s = 0x1p-21f * (1.0f + distance * size_u);
-    const Float8 over_t = 0x1p-21f * (1.0f + distance * size_v);
+    const Float8 over_s = min(0x1p-21f * (1.0f + distance * size_u), cosine);
+    const Float8 over_t = min(0x1p-21f * (1.0f + distance * size_v), cosine);
     Int8 inside = (s * cosine >= -over_s) & (t * cosine >= -over_t);
     if constexpr (std::is_same_v<Shape, Rectangle>) {
       inside = inside & ((1.0f - s) * cosine >= -over_s) &

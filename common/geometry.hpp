@@ -9,9 +9,13 @@
 // hit, so it is worth a function of its own.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
+#include "common/bounding_volume_hierarchy.hpp"
+#include "common/compiler.hpp"
 #include "common/flat.hpp"
 #include "common/plane.hpp"
 #include "common/ray.hpp"
@@ -20,23 +24,62 @@
 
 namespace lightwalk {
 
+/// From this many shapes of a type on, they are kept in a tree of boxes.
+inline constexpr std::size_t many_shapes = 64;
+
 /// The shapes of one type, as they are and in packs of eight.
 template <class Shape, class Pack>
 class ShapeList {
  public:
   void add(const Shape& shape) {
-    const int lane = static_cast<int>(shapes_.size() % lane_count);
-    if (lane == 0) packs_.emplace_back();
-    packs_.back().set(lane, shape);
+    if (!tree_.empty()) forget_tree();
     shapes_.push_back(shape);
+    add_to_packs(shapes_.size() - 1, shapes_.size() - 1);
+  }
+
+  /// Arranges the packs for fast search, if there are many shapes. Shapes
+  /// that are added later undo it.
+  void prepare() {
+    if constexpr (!std::is_same_v<Shape, Plane>) {  // has no box
+      if (shapes_.size() < many_shapes || !tree_.empty()) return;
+      tree_ = BoundingVolumeHierarchy(shapes_, order_);
+      packs_ = {};
+      packs_.reserve(order_.size() / lane_count);
+      for (std::size_t place = 0; place < order_.size(); ++place) {
+        add_to_packs(place, order_[place]);
+      }
+    }
   }
 
   const std::vector<Shape>& shapes() const { return shapes_; }
   const std::vector<Pack>& packs() const { return packs_; }
+  const BoundingVolumeHierarchy& tree() const { return tree_; }
+
+  /// The index of the shape in a lane of a pack.
+  std::size_t index(std::size_t pack, int lane) const {
+    const std::size_t place =
+        pack * lane_count + static_cast<std::size_t>(lane);
+    return order_.empty() ? place : order_[place];
+  }
 
  private:
+  void add_to_packs(std::size_t place, std::size_t index) {
+    const int lane = static_cast<int>(place % lane_count);
+    if (lane == 0) packs_.emplace_back();
+    if (index < shapes_.size()) packs_.back().set(lane, shapes_[index]);
+  }
+
+  void forget_tree() {
+    tree_ = {};
+    order_.clear();
+    packs_.clear();
+    for (std::size_t i = 0; i < shapes_.size(); ++i) add_to_packs(i, i);
+  }
+
   std::vector<Shape> shapes_;
   std::vector<Pack> packs_;
+  BoundingVolumeHierarchy tree_;
+  std::vector<std::uint32_t> order_;  ///< of the shapes in the packs
 };
 
 class Geometry {
@@ -59,14 +102,22 @@ class Geometry {
            triangles().size();
   }
 
+  /// Sorts many shapes into boxes. Without it every answer is the same, and
+  /// takes time in proportion to the number of shapes.
+  void prepare() {
+    spheres_.prepare();
+    rectangles_.prepare();
+    triangles_.prepare();
+  }
+
   /// The first surface that the ray meets, if there is one.
   std::optional<Hit> nearest_hit(const Ray& ray) const {
     ++rays_cast;
     Nearest nearest;
-    nearest.consider(planes_.packs(), ray);
-    nearest.consider(spheres_.packs(), ray);
-    nearest.consider(rectangles_.packs(), ray);
-    nearest.consider(triangles_.packs(), ray);
+    nearest.consider(planes_, ray);
+    nearest.consider(spheres_, ray);
+    nearest.consider(rectangles_, ray);
+    nearest.consider(triangles_, ray);
     return hit_at(ray, nearest);
   }
 
@@ -76,10 +127,10 @@ class Geometry {
     const Vec3 way = to - from;
     const float distance = length(way);
     const Ray ray{from, way / distance};
-    return !(blocks(planes_.packs(), ray, distance) ||
-             blocks(spheres_.packs(), ray, distance) ||
-             blocks(rectangles_.packs(), ray, distance) ||
-             blocks(triangles_.packs(), ray, distance));
+    return !(blocks(planes_, ray, distance) ||
+             blocks(spheres_, ray, distance) ||
+             blocks(rectangles_, ray, distance) ||
+             blocks(triangles_, ray, distance));
   }
 
  private:
@@ -90,26 +141,58 @@ class Geometry {
     Int8 pack = broadcast(std::int32_t{-1});
     std::int32_t packs_seen = 0;
 
-    template <class Pack>
-    void consider(const std::vector<Pack>& packs, const Ray& ray) {
-      for (const Pack& shapes : packs) {
-        const Float8 t = shapes.intersect(ray);
-        const Int8 nearer = (t > 0.0f) & (t < distance);
-        distance = select(nearer, t, distance);
-        pack = select(nearer, broadcast(packs_seen), pack);
+    template <class Shape, class Pack>
+    void consider(const ShapeList<Shape, Pack>& list, const Ray& ray) {
+      if (!list.tree().empty()) return consider_tree(list, ray);
+      for (const Pack& shapes : list.packs()) {
+        consider(shapes.intersect(ray), packs_seen);
         ++packs_seen;
       }
     }
+
+    void consider(const Float8& t, std::int32_t this_pack) {
+      const Int8 nearer = (t > 0.0f) & (t < distance);
+      distance = select(nearer, t, distance);
+      pack = select(nearer, broadcast(this_pack), pack);
+    }
+
+    template <class Shape, class Pack>
+    LIGHTWALK_APART void consider_tree(const ShapeList<Shape, Pack>& list,
+                                       const Ray& ray) {
+      float end = smallest(distance);
+      list.tree().walk(ray, end, [&](std::uint32_t i) {
+        const Float8 t = list.packs()[i].intersect(ray);
+        if (any((t > 0.0f) & (t < end))) {
+          consider(t, packs_seen + static_cast<std::int32_t>(i));
+          end = smallest(distance);
+        }
+        return end;
+      });
+      packs_seen += static_cast<std::int32_t>(list.packs().size());
+    }
   };
 
-  template <class Pack>
-  static bool blocks(const std::vector<Pack>& packs, const Ray& ray,
+  template <class Shape, class Pack>
+  static bool blocks(const ShapeList<Shape, Pack>& list, const Ray& ray,
                      float distance) {
-    for (const Pack& shapes : packs) {
+    if (!list.tree().empty()) return tree_blocks(list, ray, distance);
+    for (const Pack& shapes : list.packs()) {
       const Float8 t = shapes.intersect(ray);
       if (any((t > 0.0f) & (t < distance))) return true;
     }
     return false;
+  }
+
+  template <class Shape, class Pack>
+  LIGHTWALK_APART static bool tree_blocks(const ShapeList<Shape, Pack>& list,
+                                          const Ray& ray, float distance) {
+    bool blocked = false;
+    list.tree().walk(ray, distance, [&](std::uint32_t i) {
+      const Float8 t = list.packs()[i].intersect(ray);
+      blocked = any((t > 0.0f) & (t < distance));
+      return blocked ? -1 : distance;  // nothing matters any more
+    });
+    return blocked;
   }
 
   /// The nearest of the eight lanes, as a hit.
@@ -139,8 +222,7 @@ class Geometry {
       pack -= list.packs().size();
       return false;
     }
-    const std::size_t index =
-        pack * lane_count + static_cast<std::size_t>(lane);
+    const std::size_t index = list.index(pack, lane);
     const Shape& shape = list.shapes()[index];
     hit.shape_type = type;
     hit.shape_index = static_cast<std::uint32_t>(index);

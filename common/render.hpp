@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "common/compiler.hpp"
 #include "common/film.hpp"
 #include "common/random.hpp"
 #include "common/ray_count.hpp"
@@ -41,15 +42,6 @@ struct RenderProgress {
   std::atomic<std::uint64_t> samples{0};
   std::atomic<std::uint64_t> rays{0};
 };
-
-// Everything that a path does is compiled into one piece of code. GCC has to
-// be asked for it; without, hits are handed on through memory, and a tenth of
-// the speed is gone.
-#if defined(__GNUC__) && !defined(__clang__)
-#define LIGHTWALK_IN_ONE_PIECE [[gnu::flatten]]
-#else
-#define LIGHTWALK_IN_ONE_PIECE
-#endif
 
 // #region render-tile
 /// Renders one tile with a stage's path tracer, whose function

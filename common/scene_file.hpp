@@ -43,6 +43,7 @@ class SceneReader {
     if (loaded_.scene.geometry.size() == 0) {
       fail_at(root, "the scene has no [[shapes]]");
     }
+    loaded_.scene.geometry.prepare();
     return std::move(loaded_);
   }
 

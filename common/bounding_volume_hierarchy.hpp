@@ -1,0 +1,340 @@
+#pragma once
+
+// # Many shapes
+//
+// Ten shapes are best tried one pack after the other. With a million nearly
+// all of that work is in vain, so packs of shapes that are close together are
+// put into boxes, and the boxes into larger boxes: a ray that misses a box
+// misses everything in it. This is a bounding volume hierarchy.
+//
+// The same lanes that try eight shapes at once try eight boxes at once, so
+// each node of this tree has up to eight children, and each leaf is a pack.
+// There are no levels in between to descend through: a million shapes are
+// seven nodes deep.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/flat.hpp"
+#include "common/lanes.hpp"
+#include "common/ray.hpp"
+#include "common/sphere.hpp"
+
+namespace lightwalk {
+
+// #region box
+/// What lies between two corners; empty at first.
+struct Box {
+  Vec3 low{infinity}, high{-infinity};
+
+  void include(const Vec3& position) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+  void include(const Box& box) {
+    low = glm::min(low, box.low);
+    high = glm::max(high, box.high);
+  }
+  Vec3 center() const { return 0.5f * low + 0.5f * high; }
+
+  /// Half the surface. An empty box has none.
+  float half_area() const {
+    const Vec3 size = glm::max(high - low, Vec3(0));
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+  }
+};
+// #endregion box
+
+// A hit is found to a few roundings, and flat shapes reach a little over
+// their edges, so boxes are made a little larger than what they hold.
+
+inline Box widened(Box box) {
+  const float more = 0x1p-18f * std::max(max_abs_component(box.low),
+                                         max_abs_component(box.high));
+  return {box.low - more, box.high + more};
+}
+inline Box bounds(const Sphere& sphere) {
+  return widened(
+      {sphere.center - sphere.radius, sphere.center + sphere.radius});
+}
+inline Box bounds(const Triangle& triangle) {
+  Box box;
+  box.include(triangle.corner);
+  box.include(triangle.corner + triangle.edge_u);
+  box.include(triangle.corner + triangle.edge_v);
+  return widened(box);
+}
+inline Box bounds(const Rectangle& rectangle) {
+  Box box;
+  box.include(rectangle.corner);
+  box.include(rectangle.corner + rectangle.edge_u);
+  box.include(rectangle.corner + rectangle.edge_v);
+  box.include(rectangle.corner + rectangle.edge_u + rectangle.edge_v);
+  return widened(box);
+}
+
+/// Eight boxes. A lane that is not set is met by no ray.
+struct BoxPack {
+  Vec3x8 low, high;
+
+  BoxPack() {
+    for (int i = 0; i < lane_count; ++i) set(i, Box{});
+  }
+  void set(int lane, const Box& box) {
+    low.set(lane, box.low);
+    high.set(lane, box.high);
+  }
+};
+
+// ## Meeting a box
+//
+// A box is what three pairs of parallel planes have in common. Along each
+// axis the ray is between the two planes from one distance to another, and it
+// is in the box where it is between all three pairs. Dividing by a direction
+// of 0 along an axis would give 0/0 on the planes themselves, so such a
+// direction is taken as a very small one.
+
+/// A ray, prepared for meeting many boxes.
+struct BoxRay {
+  Vec3 origin, inverse;
+
+  explicit BoxRay(const Ray& ray) : origin(ray.origin) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float d = ray.direction[axis];
+      inverse[axis] =
+          1 / (std::abs(d) < 1e-18f ? std::copysign(1e-18f, d) : d);
+    }
+  }
+
+  // #region box-intersection
+  /// Where the ray enters each box; infinity where it does not before `end`.
+  Float8 enter(const BoxPack& boxes, float end) const {
+    Float8 first = broadcast(0.0f), last = broadcast(end);
+    between(boxes.low.x, boxes.high.x, 0, first, last);
+    between(boxes.low.y, boxes.high.y, 1, first, last);
+    between(boxes.low.z, boxes.high.z, 2, first, last);
+    const float slack = 1 + 0x1p-20f;  // more than the roundings above
+    return select(first <= last * slack, first, broadcast(infinity));
+  }
+
+ private:
+  void between(const Float8& low, const Float8& high, int axis, Float8& first,
+               Float8& last) const {
+    const Float8& near = inverse[axis] < 0 ? high : low;
+    const Float8& far = inverse[axis] < 0 ? low : high;
+    first = max(first, (near - origin[axis]) * inverse[axis]);
+    last = min(last, (far - origin[axis]) * inverse[axis]);
+  }
+  // #endregion box-intersection
+};
+
+// ## Building
+//
+// From the top: a list of shapes is cut in two, and the larger part again,
+// until there are eight parts or each fits into a pack. Where to cut? A ray
+// that meets a box meets a smaller box within it with a probability that is
+// the ratio of their surfaces. So the expected work after a cut is the number
+// of shapes on each side, weighted with the surface of that side's box (the
+// surface area heuristic, Goldsmith and Salmon 1987). Trying every cut would
+// take long: the centres are sorted into 16 bins along each axis, and only
+// cuts between bins are tried (Wald, "On fast Construction of SAH-based
+// Bounding Volume Hierarchies", 2007).
+
+class BoundingVolumeHierarchy {
+ public:
+  BoundingVolumeHierarchy() = default;
+
+  /// `order` becomes the shapes' indices as the leaves have them, eight to a
+  /// pack; lanes that stay free have `no_shape`.
+  template <class Shape>
+  BoundingVolumeHierarchy(const std::vector<Shape>& shapes,
+                          std::vector<std::uint32_t>& order) {
+    std::vector<Item> items;
+    items.reserve(shapes.size());
+    for (const Shape& shape : shapes) {
+      items.push_back(
+          {bounds(shape), static_cast<std::uint32_t>(items.size())});
+    }
+    order.clear();
+    build(Part(items.data(), items.data() + items.size()), 0, order);
+  }
+
+  static constexpr std::uint32_t no_shape = 0xffffffff;
+
+  bool empty() const { return nodes_.empty(); }
+  std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
+
+  // #region walk
+  /// Calls `visit(pack)` for the packs that the ray may meet, the nearest
+  /// boxes first. It returns the distance up to which hits still matter.
+  template <class Visit>
+  void walk(const Ray& ray, float end, Visit visit) const {
+    const BoxRay box_ray(ray);
+    std::array<Entry, stack_size> stack;
+    int height = 0;
+    stack[static_cast<std::size_t>(height++)] = {0, 0};
+    while (height > 0) {
+      const Entry entry = stack[static_cast<std::size_t>(--height)];
+      if (entry.distance > end) continue;
+      if (entry.child < 0) {
+        end = visit(static_cast<std::uint32_t>(~entry.child));
+        continue;
+      }
+      const Node& node = nodes_[static_cast<std::size_t>(entry.child)];
+      const Float8 distances = box_ray.enter(node.boxes, end);
+      unsigned lanes = lanes_of(distances < infinity);
+      const int bottom = height;
+      for (; lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        const Entry next{distances[lane], node.child[lane]};
+        // Keep the nearest on top.
+        int place = height++;
+        for (; place > bottom &&
+               stack[static_cast<std::size_t>(place - 1)].distance <
+                   next.distance;
+             --place) {
+          stack[static_cast<std::size_t>(place)] =
+              stack[static_cast<std::size_t>(place - 1)];
+        }
+        stack[static_cast<std::size_t>(place)] = next;
+      }
+    }
+  }
+  // #endregion walk
+
+ private:
+  /// A child is a node, or, as ~pack, a pack of shapes.
+  struct Node {
+    BoxPack boxes;
+    std::int32_t child[lane_count] = {};
+  };
+  struct Entry {
+    float distance;
+    std::int32_t child;
+  };
+  struct Item {
+    Box box;
+    std::uint32_t shape;
+  };
+
+  /// Some of the shapes, and what is around them and around their centres.
+  struct Part {
+    Item *begin, *end;
+    Box box, centers;
+
+    Part(Item* begin_, Item* end_) : begin(begin_), end(end_) {
+      for (const Item* item = begin; item != end; ++item) {
+        box.include(item->box);
+        centers.include(item->box.center());
+      }
+    }
+    std::ptrdiff_t size() const { return end - begin; }
+    bool fits_a_pack() const { return size() <= lane_count; }
+  };
+
+  // Below this depth parts are halved, which ends soon whatever the scene.
+  static constexpr int deepest_cut = 32;
+  static constexpr std::size_t stack_size = lane_count * (deepest_cut + 12);
+  static constexpr int bin_count = 16;
+
+  std::int32_t build(const Part& whole, int depth,
+                     std::vector<std::uint32_t>& order) {
+    const auto index = nodes_.size();
+    nodes_.emplace_back();
+    std::vector<Part> parts{whole};
+    while (parts.size() < lane_count) {
+      // Cut the part that rays meet most often.
+      std::size_t largest = parts.size();
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (!parts[i].fits_a_pack() &&
+            (largest == parts.size() ||
+             parts[i].box.half_area() > parts[largest].box.half_area())) {
+          largest = i;
+        }
+      }
+      if (largest == parts.size()) break;
+      const Part part = parts[largest];
+      Item* const middle = cut(part, depth);
+      parts[largest] = Part(part.begin, middle);
+      parts.emplace_back(middle, part.end);
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::int32_t child = parts[i].fits_a_pack()
+                                     ? add_pack(parts[i], order)
+                                     : build(parts[i], depth + 1, order);
+      nodes_[index].boxes.set(static_cast<int>(i), parts[i].box);
+      nodes_[index].child[i] = child;
+    }
+    return static_cast<std::int32_t>(index);
+  }
+
+  static std::int32_t add_pack(const Part& part,
+                               std::vector<std::uint32_t>& order) {
+    const auto pack = static_cast<std::int32_t>(order.size() / lane_count);
+    for (const Item* item = part.begin; item != part.end; ++item) {
+      order.push_back(item->shape);
+    }
+    order.resize((static_cast<std::size_t>(pack) + 1) * lane_count, no_shape);
+    return ~pack;
+  }
+
+  /// The bin of a centre along an axis.
+  static int bin_of(const Part& part, const Item& item, int axis) {
+    const float low = part.centers.low[axis], high = part.centers.high[axis];
+    const float share = (item.box.center()[axis] - low) / (high - low);
+    return std::min(static_cast<int>(share * bin_count), bin_count - 1);
+  }
+
+  /// Arranges a part in two, and returns where the second begins.
+  static Item* cut(const Part& part, int depth) {
+    float best = infinity;
+    int best_axis = -1, best_bin = 0;
+    for (int axis = 0; axis < 3 && depth < deepest_cut; ++axis) {
+      const float extent = part.centers.high[axis] - part.centers.low[axis];
+      if (!(extent > 0 && extent < infinity)) continue;
+      struct Bin {
+        Box box;
+        std::ptrdiff_t count = 0;
+      };
+      std::array<Bin, bin_count> bins;
+      for (const Item* item = part.begin; item != part.end; ++item) {
+        Bin& bin = bins[static_cast<std::size_t>(bin_of(part, *item, axis))];
+        bin.box.include(item->box);
+        ++bin.count;
+      }
+      // The work to the right of each cut, then that to its left.
+      std::array<float, bin_count> right{};
+      Bin side;
+      const auto include = [&side](const Bin& bin) {
+        side.box.include(bin.box);
+        side.count += bin.count;
+        return static_cast<float>(side.count) * side.box.half_area();
+      };
+      for (std::size_t i = bin_count - 1; i > 0; --i) {
+        right[i] = include(bins[i]);
+      }
+      side = Bin{};
+      for (std::size_t i = 1; i < bin_count; ++i) {
+        const float work = include(bins[i - 1]) + right[i];
+        if (side.count > 0 && side.count < part.size() && work < best) {
+          best = work;
+          best_axis = axis;
+          best_bin = static_cast<int>(i);
+        }
+      }
+    }
+    // All in one place, or too deep already: any halves will do.
+    if (best_axis < 0) return part.begin + part.size() / 2;
+    return std::partition(part.begin, part.end, [&](const Item& item) {
+      return bin_of(part, item, best_axis) < best_bin;
+    });
+  }
+
+  std::vector<Node> nodes_;
+};
+
+}  // namespace lightwalk
