@@ -14,6 +14,8 @@ scene_stage1 := scenes/cornell_box_ceiling_diffuse.toml
 scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
+include tools/site.mk
+
 .PHONY: picture help setup build test clean $(stages) $(addprefix test-,$(stages))
 .DEFAULT_GOAL := picture
 
@@ -27,6 +29,9 @@ help:
 	@echo "make test          run every test"
 	@echo "make $(firstword $(stages))        build one stage alone ($(stages))"
 	@echo "make test-$(firstword $(stages))   run the tests of one stage"
+	@echo "make book          weave the book: $(BUILD)/book/index.html"
+	@echo "make slides        the decks: $(BUILD)/slides/, HTML and PDF"
+	@echo "make test-site     test both"
 	@echo "make setup         install what is missing (SETUP=print only says what)"
 	@echo "make clean         delete $(BUILD)/"
 	@echo "make help          this list"
