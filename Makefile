@@ -14,7 +14,10 @@ scene_stage1 := scenes/cornell_box_ceiling_diffuse.toml
 scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
-.PHONY: picture help setup build test bench bench-peers mistakes goldens signatures diff null-test clean $(stages) $(addprefix test-,$(stages))
+.PHONY: picture help setup build test bench bench-peers mistakes goldens \
+  signatures diff null-test clean $(stages) $(addprefix test-,$(stages))
+include tools/site.mk
+
 .DEFAULT_GOAL := picture
 
 picture: build
@@ -35,6 +38,9 @@ help:
 	@echo "make mistakes      put known mistakes into the stages: what do the tests catch?"
 	@echo "make bench         measure what everything costs (BASE=old.json compares)"
 	@echo "make bench-peers   time stage 4 and Mitsuba 3 side by side"
+	@echo "make book          weave the book: $(BUILD)/book/index.html"
+	@echo "make slides        the decks: $(BUILD)/slides/, HTML and PDF"
+	@echo "make test-site     test both"
 	@echo "make setup         install what is missing (SETUP=print only says what)"
 	@echo "make clean         delete $(BUILD)/"
 	@echo "make help          this list"
@@ -92,6 +98,7 @@ mistakes: setup $(BUILD)/CMakeCache.txt
 signatures: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS)
 	@python3 tools/signatures.py --build $(BUILD) -j $(JOBS)
+
 # Repetitions, since times scatter: BASE names an earlier bench.json.
 BENCH_ARGS ?= --benchmark_repetitions=5 --benchmark_min_time=0.1
 bench: setup $(BUILD)/CMakeCache.txt

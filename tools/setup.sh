@@ -3,6 +3,9 @@
 # Ubuntu's packages, or from Homebrew. Asks nothing, and does nothing when
 # nothing is missing. With SETUP=print it only says what it would run, and
 # stops with exit code 1 if that is anything.
+#
+#   setup.sh         what `make` and `make test` need
+#   setup.sh site    what the book, the slides and their tests need besides
 set -eu
 
 debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
@@ -10,6 +13,13 @@ debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
   libbenchmark-dev python3 python3-jsonschema"
 brew_packages="cmake ninja glm openimageio cli11 tomlplusplus doctest
   google-benchmark"
+if [ "${1:-}" = site ]; then
+  debian_packages="chromium fonts-dejavu-core python3-venv"
+  # Other sources of node have npm in the same package.
+  command -v node >/dev/null || debian_packages="$debian_packages nodejs"
+  command -v npm >/dev/null || debian_packages="$debian_packages npm"
+  brew_packages="node python"
+fi
 
 # run COMMAND: prints it, and runs it unless SETUP=print.
 run() {
@@ -45,7 +55,8 @@ else
     cat >&2 <<'TEXT'
 setup: this system has neither apt-get nor Homebrew. Please install:
   a C++20 compiler, CMake 3.22 or newer, Ninja (optional), GLM, OpenImageIO,
-  CLI11, toml++ 3, doctest, Google Benchmark, Python 3.11 with jsonschema.
+  CLI11, toml++ 3, doctest, Google Benchmark, Python 3.11 with jsonschema;
+  for the book and the slides Node 20 with npm, and Chromium.
   With vcpkg: `vcpkg install` in this folder reads vcpkg.json.
 TEXT
     exit 1

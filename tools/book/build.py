@@ -1,0 +1,100 @@
+"""Builds the book: weaves the headers, adds the pages, calls Sphinx.
+
+    build.py BUILD      BUILD/book is the site, BUILD/book-source what it is of
+"""
+
+import os
+import shutil
+import sys
+from pathlib import Path
+
+from check_names import check_names
+from figures import Figures
+from literate import ROOT, BookError, stage_headers
+from mistakes import mistakes_page
+from symbols import symbols_page
+from weave import title_of, weave
+
+# The core, in the order in which it reads best.
+CORE = """vector random frame ray material light plane sphere flat lanes geometry
+  scene camera film ray_count render tone_mapping pfm ppm""".split()
+PAGES = Path(__file__).parent / "pages"
+
+
+def core_headers():
+    titled = {p.stem for p in ROOT.glob("common/*.hpp")
+              if "\n// # " in p.read_text()}
+    if titled != set(CORE):
+        odd = ", ".join(sorted(titled ^ set(CORE)))
+        raise BookError(f"build.py and common/ differ on chapters: {odd}")
+    return [ROOT / f"common/{name}.hpp" for name in CORE]
+
+
+def write(path, lines):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("\n".join(lines) + "\n")
+
+
+def write_source(source, figures):
+    for header in stage_headers():
+        check_names(header)
+        name = header.parent.name
+        lines = weave(header, figures.for_chapter(name))
+        figures.all_placed(name)
+        contents = ["---", "hide-toc: true", "---", ""]
+        write(source / f"stages/{name}.md", contents + lines)
+    for header in core_headers():
+        check_names(header)
+        write(source / f"core/{header.stem}.md",
+              ["---", "hide-toc: true", "---", ""] + weave(header))
+    for page in PAGES.glob("*.md"):
+        write(source / page.name, figures.filled(page.read_text()).split("\n"))
+    write(source / "symbols.md", symbols_page())
+    mistakes = mistakes_page()
+    if mistakes:
+        write(source / "mistakes.md", mistakes)
+    write(source / "index.md", front_page(figures, bool(mistakes)))
+
+
+def front_page(figures, with_mistakes):
+    text = figures.filled((PAGES / "index.md").read_text())
+    chapters = [f"stages/{p.parent.name}" for p in stage_headers()]
+    core = [f"core/{name}" for name in CORE]
+    rest = ["symbols", "further_reading"] + ["mistakes"] * with_mistakes
+    lines = text.split("\n")
+    for caption, pages in (("The stages", chapters), ("Beside them", rest),
+                           ("The core", core)):
+        lines += ["```{toctree}", ":hidden:", f":caption: {caption}", "",
+                  *pages, "```", ""]
+    return lines
+
+
+def main():
+    build = Path(sys.argv[1]).resolve()
+    source, static = build / "book-source", build / "book-static"
+    for folder in (source, static):
+        shutil.rmtree(folder, ignore_errors=True)
+    (static / "mathjax").mkdir(parents=True)
+    shutil.copy(build / "node/node_modules/mathjax-full/es5/tex-svg-full.js",
+                static / "mathjax")
+    for name in ("book.css", "keys.js"):
+        shutil.copy(Path(__file__).parent / name, static)
+    figures = Figures(build, source / "figures")
+    write_source(source, figures)
+
+    os.environ["BOOK_STATIC"] = str(static)
+    from sphinx.cmd.build import main as sphinx
+    failed = sphinx(["-W", "--keep-going", "-q", "-E",
+                     "-c", str(Path(__file__).parent),
+                     "-d", str(build / "book-doctrees"),
+                     str(source), str(build / "book")])
+    if failed:
+        raise BookError("Sphinx has warned; see above")
+    print(f"The book is {build}/book/index.html")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except BookError as error:
+        sys.exit(f"book: {error}")

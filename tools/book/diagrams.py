@@ -1,0 +1,299 @@
+"""The figures that are drawn, as SVG: diagrams, curves, and one chart."""
+
+import math
+import random
+
+from literate import BookError
+
+INK, SOFT, WARM, COOL, GREEN = "#222", "#888", "#b4491a", "#1f5fa8", "#3c7a3c"
+DRAWN = {}
+
+
+def diagram(name, width, height):
+    """Registers a function that returns a diagram's shapes."""
+    def register(function):
+        DRAWN[name] = (function, width, height)
+        return function
+    return register
+
+
+def draw(name, figures):
+    if name not in DRAWN:
+        raise BookError(f"diagrams.py draws no '{name}'")
+    function, width, height = DRAWN[name]
+    heads = "".join(
+        f'<marker id="{colour[1:]}" viewBox="0 0 8 8" refX="7" refY="4" '
+        'markerWidth="7" markerHeight="7" orient="auto-start-reverse">'
+        f'<path d="M0 0.8 8 4 0 7.2z" fill="{colour}"/></marker>'
+        for colour in (INK, SOFT, WARM, COOL, GREEN))
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" '
+            f'viewBox="0 0 {width} {height}" width="{width}" '
+            f'height="{height}" font-family="Georgia, DejaVu Serif, serif" '
+            f'font-size="15" fill="{INK}"><defs>{heads}</defs>'
+            + "".join(function(figures)) + "</svg>\n")
+
+
+def line(x1, y1, x2, y2, colour=INK, width=1.6, arrow=False, dash=""):
+    end = f' marker-end="url(#{colour[1:]})"' if arrow else ""
+    dashes = f' stroke-dasharray="{dash}"' if dash else ""
+    return (f'<path d="M{x1:.1f} {y1:.1f} L{x2:.1f} {y2:.1f}" fill="none" '
+            f'stroke="{colour}" stroke-width="{width}"{dashes}{end}/>')
+
+
+def curve(points, colour=INK, width=1.8, dash=""):
+    path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
+    dashes = f' stroke-dasharray="{dash}"' if dash else ""
+    return (f'<polyline points="{path}" fill="none" stroke="{colour}" '
+            f'stroke-width="{width}"{dashes}/>')
+
+
+def text(x, y, words, colour=INK, anchor="middle", style="", size=15):
+    """Words; `w_o` in them becomes an omega with a lower o, and so on."""
+    for letter, sign in (("w", "ω"), ("t", "θ"), ("p", "p"), ("e", "η"),
+                         ("k", "k"), ("r", "r")):
+        for index in "oidsptr":
+            words = words.replace(
+                f"{letter}_{index}",
+                f'{sign}<tspan dy="4" font-size="11">{index}</tspan>'
+                '<tspan dy="-4">​</tspan>')
+    return (f'<text x="{x:.1f}" y="{y:.1f}" fill="{colour}" '
+            f'font-size="{size}" text-anchor="{anchor}" '
+            f'font-style="{style or "normal"}">{words}</text>')
+
+
+def circle(x, y, r, fill=INK, stroke="none"):
+    return (f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{r}" fill="{fill}" '
+            f'stroke="{stroke}"/>')
+
+
+def polar(x, y, degrees, r):
+    """A point at an angle from straight up, to the right if positive."""
+    a = math.radians(degrees)
+    return x + r * math.sin(a), y - r * math.cos(a)
+
+
+def arc(x, y, first, last, r, colour=INK):
+    steps = [first + (last - first) * i / 24 for i in range(25)]
+    return curve([polar(x, y, a, r) for a in steps], colour, 1.2)
+
+
+def ray(x, y, degrees, r, colour, width=2):
+    return line(x, y, *polar(x, y, degrees, r), colour, width, True)
+
+
+@diagram("hemisphere", 440, 270)
+def hemisphere(_):
+    x, y, r = 220, 220, 150
+    yield line(30, y, 410, y, INK, 2)
+    yield (f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" '
+           f'fill="#f3e9df" stroke="{SOFT}" stroke-dasharray="4 3"/>')
+    for angle in (-72, -50, -12, 20, 66, 80):
+        yield line(*polar(x, y, angle, r + 34), *polar(x, y, angle, r + 8),
+                   WARM, 1.2, True)
+    yield ray(x, y, 0, r + 30, INK)
+    yield text(x + 14, y - r - 24, "n", style="italic")
+    yield ray(x, y, 42, r, WARM)
+    yield text(*polar(x + 12, y - 2, 42, r + 14), "w_i", WARM)
+    yield ray(x, y, -34, r, COOL)
+    yield text(*polar(x - 10, y - 4, -34, r + 14), "w_o", COOL)
+    yield arc(x, y, 0, 42, 52)
+    yield text(*polar(x, y + 4, 21, 68), "θ", style="italic")
+    yield circle(x, y, 4)
+    yield text(x, y + 24, "x", style="italic")
+    yield text(x + r + 6, y - 22, "Ω", SOFT)
+
+
+@diagram("two-densities", 520, 300)
+def two_densities(_):
+    drawn = random.Random(1)
+    pairs = [(drawn.random(), drawn.random()) for _ in range(400)]
+    for x, name, cosine in ((130, "uniform in solid angle", False),
+                            (390, "in proportion to the cosine", True)):
+        yield circle(x, 130, 100, "#f3e9df", SOFT)
+        yield (f'<path d="M{x - 100} 290 A100 40 0 0 1 {x + 100} 290" '
+               f'fill="none"/>')
+        for u, v in pairs:
+            sine = math.sqrt(u) if cosine else math.sqrt(1 - u * u)
+            phi = 2 * math.pi * v
+            yield circle(x + 100 * sine * math.cos(phi),
+                         130 + 100 * sine * math.sin(phi), 1.7, WARM)
+        yield text(x, 262, name)
+        share = sum((math.sqrt(1 - u) if cosine else u) > math.cos(
+            math.radians(60)) for u, _ in pairs) / len(pairs)
+        yield text(x, 284, f"{share:.0%} within 60° of the normal", SOFT,
+                   size=13)
+
+
+@diagram("next-event", 520, 300)
+def next_event(_):
+    yield f'<path d="M30 30 H490 V270 H30" fill="none" stroke="{INK}" ' \
+          'stroke-width="2"/>'
+    yield circle(375, 218, 52, "#d9e4ef", COOL)
+    yield circle(250, 80, 6, "#e8b400", WARM)
+    yield text(250, 62, "light", WARM)
+    a, b, c = (170, 270), (490, 190), (322, 30)
+    yield line(30, 190, a[0], a[1], INK, 2.2, True)
+    yield text(46, 182, "from the camera", SOFT, "start", size=13)
+    yield line(*a, 130, 30, INK, 2.2, True)
+    yield line(130, 30, 440, 270, INK, 2.2, True, "")
+    yield line(*a, 248, 87, GREEN, 1.6, False, "6 4")
+    yield line(130, 30, 244, 77, GREEN, 1.6, False, "6 4")
+    yield line(440, 270, 402, 224, WARM, 1.6, False, "6 4")
+    yield line(402, 224, 256, 87, SOFT, 1, False, "2 4")
+    yield text(190, 190, "lit", GREEN, "end")
+    yield text(196, 46, "lit", GREEN)
+    yield text(452, 258, "in shadow", WARM, "start", size=13)
+    for number, (x, y) in enumerate((a, (130, 30), (440, 270)), 1):
+        yield circle(x, y, 4.5)
+    yield text(a[0], a[1] + 20, "1")
+    yield text(130, 22, "2")
+    yield text(440, 290, "3")
+
+
+@diagram("area-to-angle", 440, 290)
+def area_to_angle(_):
+    x, y = 130, 250
+    yield line(30, y, 300, y, INK, 2)
+    yield f'<path d="M{x} {y} L286 62 L334 92z" fill="#fdf0c8"/>'
+    yield line(286, 62, 334, 92, WARM, 5)
+    yield text(346, 92, "dA", WARM, "start", "italic")
+    yield line(310, 77, 270, 141, WARM, 1.6, True)
+    yield text(256, 150, "n′", WARM, style="italic")
+    yield line(x, y, 310, 77, INK, 1.2, False, "5 4")
+    yield text(222, 186, "d", style="italic", anchor="start")
+    yield arc(310, 77, -148, -133.9, 46, WARM)
+    yield text(264, 112, "θ′", WARM, style="italic", anchor="end")
+    yield ray(x, y, 0, 120, INK)
+    yield text(x - 14, y - 112, "n", style="italic")
+    yield arc(x, y, 0, 46, 44)
+    yield text(*polar(x, y + 4, 20, 60), "θ", style="italic")
+    yield arc(x, y, 39.7, 52.2, 84, COOL)
+    yield text(*polar(x, y + 6, 58, 96), "dω", COOL, "start", "italic")
+    yield circle(x, y, 4)
+    yield text(x, y + 24, "x", style="italic")
+
+
+@diagram("snell", 520, 270)
+def snell(_):
+    for x, angle in ((95, 25), (260, 41.81), (425, 60)):
+        y = 120
+        yield (f'<path d="M{x - 75} {y} H{x + 75} V250 H{x - 75}z" '
+               'fill="#d9e4ef"/>')
+        yield line(x - 75, y, x + 75, y, COOL, 2)
+        yield line(x, y - 92, x, y + 108, SOFT, 1, False, "4 4")
+        yield line(x, y, *polar(x, y, 180 + angle, 116), COOL, 2, True)
+        sine = 1.5 * math.sin(math.radians(angle))
+        yield line(x, y, *polar(x, y, 180 - angle, 100), SOFT, 1.2, True) \
+            if sine < 1 else \
+            line(x, y, *polar(x, y, 180 - angle, 112), WARM, 2.2, True)
+        if sine < 1.0005:
+            out = math.degrees(math.asin(min(sine, 1)))
+            yield ray(x, y, out if out < 89 else 90, 80, WARM)
+            yield text(*polar(x + 6, y + 16 if out > 89 else y,
+                              min(out, 84), 88), "w_i", WARM)
+        else:
+            yield text(x + 36, y - 40, "none", WARM)
+        yield text(*polar(x - 16, y + 4, 180 + angle, 104), "w_o", COOL)
+        yield text(x, 24, f"{angle:.1f}°")
+        yield circle(x, y, 3)
+    yield text(22, 112, "air, η = 1", SOFT, "start", size=12)
+    yield text(22, 262, "glass, η = 1.5", SOFT, "start", size=12)
+
+
+def bar(y, parts, end):
+    x = 30
+    for name, share, colour in parts:
+        width = 440 * share
+        yield (f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" '
+               f'fill="{colour}" stroke="#fff"/>')
+        yield text(x + width / 2, y + 25, name, "#fff", size=13)
+        x += width
+    yield line(30 + 440 * end, y - 8, 30 + 440 * end, y + 48, INK, 1.5)
+
+
+@diagram("event-bar", 520, 250)
+def event_bar(_):
+    yield from bar(50, (("diffuse p_d", .4, WARM),
+                        ("specular p_s", .25, COOL),
+                        ("refraction p_t", .2, GREEN),
+                        ("absorbed", .15, "#444")), 1)
+    yield text(30, 110, "0", anchor="middle")
+    yield text(470, 110, "1", anchor="middle")
+    yield line(30 + 440 * .52, 20, 30 + 440 * .52, 48, INK, 2, True)
+    yield text(30 + 440 * .52, 16, "ξ = 0.52", size=13)
+    scale = 440 / 1.8 / 440
+    yield from bar(170, (("red k_d: 0.9", .9 * scale, "#b03030"),
+                         ("green k_s: 0.9", .9 * scale, GREEN)), scale)
+    yield text(30, 230, "0")
+    yield text(30 + 440 * scale, 230, "1: ξ never comes here", anchor="start",
+               size=14)
+    yield text(470, 160, "1.8", SOFT)
+
+
+def axes(x, y, width, height):
+    yield line(x, y, x + width, y, INK, 1.4)
+    yield line(x, y, x, y - height, INK, 1.4)
+
+
+@diagram("ray-counts", 560, 340)
+def ray_counts(figures):
+    from figures import Render
+    bounds = range(1, 11)
+    x0, y0, dx, dy = 70, 290, 46, 68
+    yield from axes(x0, y0, 480, 270)
+    for power in range(0, 4):
+        y = y0 - dy * power
+        yield line(x0, y, x0 + 480, y, "#ddd", 1)
+        yield text(x0 - 10, y + 5, f"{10 ** power:,}", SOFT, "end", size=13)
+    for stage, colour, name in ((3, WARM, "stage 3: every lobe"),
+                                (4, COOL, "stage 4: one by lot")):
+        points = []
+        for bound in bounds:
+            options = (f"--size 16x16 --spp 16 --max-bounces {bound}").split()
+            count = Render(figures.build, stage, "scenes/plastic.toml",
+                           options).rays_per_sample()
+            points.append((x0 + dx * bound, y0 - dy * math.log10(count)))
+        yield curve(points, colour, 2.2)
+        for px, py in points:
+            yield circle(px, py, 3.5, colour)
+        yield text(points[6][0] - 12, points[6][1] - 14, name, colour, "end")
+    for bound in bounds:
+        yield text(x0 + dx * bound, y0 + 20, str(bound), SOFT, size=13)
+    yield text(x0 + 240, y0 + 42, "bounces at most", size=14)
+    yield text(x0 + 4, y0 - 272, "rays per sample", anchor="start", size=14)
+
+
+def fresnel(degrees, ratio):
+    """(F, r_s squared, r_p squared) for eta_o / eta_i = ratio."""
+    cos_o = math.cos(math.radians(degrees))
+    sine = ratio * ratio * (1 - cos_o * cos_o)
+    if sine >= 1:
+        return 1, 1, 1
+    cos_i = math.sqrt(1 - sine)
+    s = (ratio * cos_o - cos_i) / (ratio * cos_o + cos_i)
+    p = (cos_o - ratio * cos_i) / (cos_o + ratio * cos_i)
+    return (s * s + p * p) / 2, s * s, p * p
+
+
+@diagram("fresnel-curves", 520, 290)
+def fresnel_curves(_):
+    for x0, ratio, name, mark in ((44, 1 / 1.5, "from outside", 56.31),
+                                  (294, 1.5, "from inside", 41.81)):
+        y0, width, height = 235, 200, 190
+        yield from axes(x0, y0, width, height)
+        for i, (colour, dash) in enumerate(((INK, ""), (WARM, "6 3"),
+                                            (COOL, "2 3"))):
+            yield curve([(x0 + width * a / 180,
+                          y0 - height * fresnel(a / 2, ratio)[i])
+                         for a in range(0, 181)], colour, 2 if not i else 1.6,
+                        dash)
+        at = x0 + width * mark / 90
+        yield line(at, y0, at, y0 - height, SOFT, 1, False, "3 3")
+        yield text(at, y0 + 18, f"{mark:.1f}°", SOFT, size=13)
+        yield text(x0 + width, y0 + 18, "90°", SOFT, size=13)
+        yield text(x0 - 6, y0 + 5, "0", SOFT, "end", size=13)
+        yield text(x0 - 6, y0 - height + 8, "1", SOFT, "end", size=13)
+        yield text(x0 + width / 2, 26, name)
+    for x, colour, name in ((150, INK, "F"), (250, WARM, "r_s squared"),
+                            (380, COOL, "r_p squared")):
+        yield text(x, 280, name, colour, size=14)

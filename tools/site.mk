@@ -1,0 +1,30 @@
+# The book, the slides and their tests. `make setup-site` installs what they
+# need beyond a compiler; what comes from PyPI and npm goes under $(BUILD).
+
+site_python := $(BUILD)/venv/bin/python
+
+.PHONY: setup-site book slides test-site
+
+setup-site: setup
+	@tools/setup.sh site
+
+$(BUILD)/venv/made: tools/book/requirements.txt | setup-site
+	@python3 -m venv $(BUILD)/venv
+	@$(site_python) -m pip install --quiet -r $<
+	@touch $@
+
+$(BUILD)/node/made: tools/book/package.json | setup-site
+	@mkdir -p $(BUILD)/node && cp $< $(BUILD)/node/
+	@cd $(BUILD)/node && npm install --silent --no-audit --no-fund \
+	  --ignore-scripts
+	@touch $@
+
+book: build $(BUILD)/venv/made $(BUILD)/node/made
+	@$(site_python) tools/book/build.py $(BUILD)
+
+slides: build $(BUILD)/venv/made $(BUILD)/node/made
+	@$(site_python) tools/slides/build.py $(BUILD)
+
+test-site: book slides
+	@SITE_BUILD=$(abspath $(BUILD)) $(site_python) -m unittest discover \
+	  -s tests/site -t tests/site
