@@ -34,8 +34,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 CATALOGUE = ROOT / "tests" / "mistakes"
 
 # Seconds of processor time, not of the clock: a busy machine does not make a
-# mistake look caught. A right suite needs less than a quarter of it.
-TIME_LIMIT = 90
+# mistake look caught. A right suite needs a fifth of it.
+TIME_LIMIT = 45
 
 
 class Failure(Exception):
