@@ -26,7 +26,6 @@ import pathlib
 import re
 import resource
 import shlex
-import shutil
 import subprocess
 import sys
 import tomllib
@@ -35,8 +34,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 CATALOGUE = ROOT / "tests" / "mistakes"
 
 # Seconds of processor time, not of the clock: a busy machine does not make a
-# mistake look caught. A right suite needs less than a quarter of it.
-TIME_LIMIT = 90
+# mistake look caught. A right suite needs a fifth of it.
+TIME_LIMIT = 45
 
 
 class Failure(Exception):
@@ -274,13 +273,16 @@ def limit_time():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def run_suite(program):
+def run_suite(program, build):
     """The tests that failed, and how the program ended."""
+    # The suite loads the library that reads pictures from the build folder.
+    paths = {name: str(build) for name in ("LD_LIBRARY_PATH",
+                                           "DYLD_LIBRARY_PATH")}
     try:
         done = subprocess.run([program, "-r=xml"], capture_output=True,
                               text=True, errors="replace",
                               preexec_fn=limit_time, timeout=20 * TIME_LIMIT,
-                              cwd=program.parent)
+                              cwd=program.parent, env=os.environ | paths)
         report, code = done.stdout, done.returncode
     except subprocess.TimeoutExpired as late:
         report, code = (late.stdout or b"").decode(errors="replace"), -24
@@ -317,7 +319,7 @@ def try_mistake(mistake, suite, given, folder):
         place = suite.link.index("-o")
         run(suite.link[:place] + [str(target), "-o", str(program)] +
             suite.link[place + 2:], "does not link")
-        result.caught, result.end = run_suite(program)
+        result.caught, result.end = run_suite(program, suite.build)
         program.unlink()
         target.unlink()
     except Failure as failure:

@@ -120,6 +120,21 @@ TEST_CASE("between texels the colour is mixed") {
                {0.75f, 0.25f, 0});
 }
 
+// 3 x 2 texels: the second column's centre is at u = 1/2, the upper row's at
+// v = 3/4. A quarter of the way down to the lower row v is 5/8.
+TEST_CASE("a picture need not be square") {
+  Texture texture;
+  texture.width = 3;
+  texture.height = 2;
+  texture.texels = {{0, 0, 0}, {255, 0, 0}, {0, 0, 0},
+                    {0, 0, 0}, {0, 255, 0}, {255, 255, 255}};
+  check_colour(image_colour(texture, {0.5f, 0.75f}, false), {1, 0, 0});
+  check_colour(image_colour(texture, {0.5f, 0.625f}, false),
+               {0.75f, 0.25f, 0});
+  check_colour(image_colour(texture, {5 / 6.0f, 0.25f}, false), {1, 1, 1});
+  check_colour(image_colour(texture, {0.5f, 0.25f}, false), {0, 1, 0});
+}
+
 TEST_CASE("a picture repeats, and mixes across its edges") {
   const Texture texture = four_texels();
   for (const float shift : {-3.0f, -1.0f, 1.0f, 7.0f}) {
@@ -139,6 +154,62 @@ TEST_CASE("the poles of a globe do not mix") {
   check_colour(image_colour(texture, {0.25f, 1}, true), {1, 0, 0});
   check_colour(image_colour(texture, {0.25f, 0}, true), {0, 0, 1});
   check_colour(image_colour(texture, {0, 0.75f}, true), {0.5f, 0.5f, 0});
+}
+
+TEST_CASE(
+    "a picture on a rectangle repeats upwards and on a globe does not") {
+  const Texture texture = four_texels();
+  const Pattern pattern{PatternType::image, Vec3(0), Vec3(0), 1, &texture};
+  // The upper edge of the rectangle mixes upper and lower row; the north pole
+  // is half red and half green, whichever way it is turned.
+  const Scene flat = with(
+      "type = \"rectangle\"\ncorner = [0, 0, 1]\n"
+      "edge_u = [1, 0, 0]\nedge_v = [0, 1, 0]");
+  const Vec3 edge(0.25f, 0.9999999f, 1);
+  const auto on_flat = flat.nearest_hit({{0, 0, 0}, normalize(edge)});
+  REQUIRE(on_flat.has_value());
+  check_colour(pattern_colour(pattern, flat, *on_flat, {0, 0, -1}),
+               {0.5f, 0, 0.5f});
+  const Scene globe =
+      with("type = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1");
+  const auto on_globe = globe.nearest_hit({{0, 5, 0}, {0, -1, 0}});
+  REQUIRE(on_globe.has_value());
+  CHECK(pattern_colour(pattern, globe, *on_globe, {0, 1, 0}).z ==
+        doctest::Approx(0));
+}
+
+TEST_CASE("a globe's map moves with it") {
+  const Scene scene =
+      with("type = \"sphere\"\ncenter = [3, -2, 7]\nradius = 2");
+  const Vec2 uv = uv_at(scene, {3, -2, 0}, {3, -2, 7});
+  CHECK(uv.x == doctest::Approx(0.5).epsilon(tolerance));
+  CHECK(uv.y == doctest::Approx(0.5).epsilon(tolerance));
+}
+
+TEST_CASE("each rectangle has its own uv") {
+  const Scene scene = with(
+      "type = \"rectangle\"\ncorner = [5, 5, 5]\nedge_u = [1, 0, 0]\n"
+      "edge_v = [0, 1, 0]\nmaterial = \"m\"\n[[shapes]]\n"
+      "type = \"rectangle\"\ncorner = [0, 0, 1]\nedge_u = [1, 0, 0]\n"
+      "edge_v = [0, 1, 0]");
+  const Vec2 uv = uv_at(scene, {0.25f, 0.5f, 0}, {0.25f, 0.5f, 1});
+  CHECK(uv.x == doctest::Approx(0.25).epsilon(tolerance));
+  CHECK(uv.y == doctest::Approx(0.5).epsilon(tolerance));
+}
+
+TEST_CASE("checkers over the position are cubes of 1/scale") {
+  const Scene scene =
+      with("type = \"plane\"\nnormal = [0, 1, 0]\ndistance = 0.1");
+  const Pattern pattern{PatternType::position_checker, Vec3(1), Vec3(0), 4,
+                        nullptr};
+  // 4 (x, -0.1, 0.1) lies in the cubes floor(4 x), -1, 0.
+  for (int i = 0; i < 4; ++i) {
+    const float x = (static_cast<float>(i) + 0.5f) / 4;
+    const auto hit = scene.nearest_hit({{x, 1, 0.1f}, {0, -1, 0}});
+    REQUIRE(hit.has_value());
+    CHECK(pattern_colour(pattern, scene, *hit, {0, 1, 0}) ==
+          Vec3(i % 2 == 0 ? 0.0f : 1.0f));
+  }
 }
 
 // IEC 61966-2-1: 188 is 0.5029 linear, 55 is 0.0382, 10 is 10/255/12.92.

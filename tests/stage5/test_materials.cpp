@@ -1,0 +1,148 @@
+// What a material is at a hit, and that the whole path uses just that.
+
+#include <doctest/doctest.h>
+
+#include "stages/5_fresnel_textures/path_tracer.hpp"
+#include "support/specular_scenes.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using namespace lightwalk::stage5;
+
+namespace {
+
+/// The material of a ball of radius 1, seen squarely from outside.
+Material seen(const std::string& material) {
+  const Scene scene = in_white_room(material, ball("thing"));
+  const auto hit = scene.nearest_hit({{0, 0, -5}, {0, 0, 1}});
+  REQUIRE(hit.has_value());
+  return material_at(scene, *hit, {0, 0, -1});
+}
+
+std::string floor_of(const std::string& material) {
+  return "[materials]\nthing = " + material +
+         "\nsky = { ke = 2 }\n[[shapes]]\ntype = \"plane\"\n"
+         "normal = [0, 1, 0]\ndistance = 0\nmaterial = \"thing\"\n";
+}
+
+const Ray down{{0.5f, 0.5f, 0.5f}, {0, -1, 0}};
+
+RenderSettings one_bounce() {
+  RenderSettings settings;
+  settings.max_bounces = 1;
+  return settings;
+}
+
+}  // namespace
+
+// F = 0.04: ks F, kt (1 - F), and kd as it was.
+TEST_CASE("Fresnel shares out the coefficients of mirror and glass only") {
+  const std::string k = "{ kd = 0.1, ks = [0.5, 0.9, 0.2], kt = 0.8, ";
+  const Material m = seen(k + "eta = 1.5, fresnel = true }");
+  CHECK(m.kd.x == doctest::Approx(0.1));
+  CHECK(m.ks.x == doctest::Approx(0.5 * 0.04).epsilon(1e-4));
+  CHECK(m.ks.y == doctest::Approx(0.9 * 0.04).epsilon(1e-4));
+  CHECK(m.kt.x == doctest::Approx(0.8 * 0.96).epsilon(1e-4));
+  // At 85 degrees F is 0.61, or 0.65 by Schlick's curve, not 0.04.
+  const Scene scene = in_white_room(k + "fresnel = true }", ball("thing"));
+  auto hit = scene.nearest_hit({{0, 0, -5}, {0, 0, 1}});
+  REQUIRE(hit.has_value());
+  const Material grazing =
+      material_at(scene, *hit, normalize(Vec3(0, 0.99619f, -0.08716f)));
+  CHECK(grazing.ks.x > 0.5 * 0.55);
+  CHECK(grazing.ks.x + 0.5f / 0.8f * grazing.kt.x == doctest::Approx(0.5));
+}
+
+// Patterns first: here the mirror's colour comes from one.
+TEST_CASE("a pattern is what Fresnel shares out") {
+  const Material m = seen(
+      "{ ks = { schlick = [0.5, 0.5] }, kt = { checker = [0.8, 0.8] }, "
+      "eta = 1.5, fresnel = true }");
+  CHECK(m.ks.x == doctest::Approx(0.5 * 0.04).epsilon(1e-4));
+  CHECK(m.kt.x == doctest::Approx(0.8 * 0.96).epsilon(1e-4));
+}
+
+TEST_CASE("each coefficient has its own pattern") {
+  const Material m = seen(
+      "{ kd = { checker = [0.1, 0.1] }, ks = { checker = [0.2, 0.2] }, "
+      "kt = { checker = [0.3, 0.3] } }");
+  CHECK(m.kd.x == doctest::Approx(0.1));
+  CHECK(m.ks.x == doctest::Approx(0.2));
+  CHECK(m.kt.x == doctest::Approx(0.3));
+}
+
+// From inside, at 45 degrees, all is reflected: the hit's normal points away
+// from the viewer, and both the cosine and the indices are turned round.
+TEST_CASE(
+    "from inside, glass beyond the critical angle lets nothing through") {
+  const Scene scene =
+      in_white_room("{ ks = 1, kt = 1, fresnel = true }", ball("thing"));
+  const auto hit = scene.nearest_hit({{0, 0, 0}, {0, 0, 1}});
+  REQUIRE(hit.has_value());
+  const Material beyond = material_at(scene, *hit, normalize(Vec3(1, 0, -1)));
+  CHECK(beyond.ks.x == 1);
+  CHECK(beyond.kt.x == 0);
+  const Material square = material_at(scene, *hit, {0, 0, -1});
+  CHECK(square.ks.x == doctest::Approx(0.04).epsilon(1e-4));
+}
+
+TEST_CASE("Schlick's colours are the same from both sides") {
+  const Scene scene =
+      in_white_room("{ ks = { schlick = [0.2, 0.8] } }", ball("thing"));
+  const auto hit = scene.nearest_hit({{0, 0, -5}, {0, 0, 1}});
+  REQUIRE(hit.has_value());
+  // cos = 1/2: 0.2 + 0.6 / 32.
+  const Vec3 aside(0.8660254f, 0, 0);
+  for (const float side : {-0.5f, 0.5f}) {
+    CHECK(material_at(scene, *hit, aside + Vec3(0, 0, side)).ks.x ==
+          doctest::Approx(0.2 + 0.6 / 32));
+  }
+}
+
+// kd/pi I / h^2 with the kd of this square: the second of the checkers.
+TEST_CASE("a patterned floor under a light: kd/pi I / h^2") {
+  const Scene scene = scene_text(
+      floor_of("{ kd = { checker = [0.2, 0.6], over = \"position\" } }") +
+      "[[lights]]\ntype = \"point\"\ncenter = [0.5, 2, 0.5]\n"
+      "intensity = 9\n");
+  Random random(1, 0, 0);
+  const PathTracer tracer(scene, one_bounce());
+  // The cube below the floor, (0, -1, 0), is an odd one; its neighbour is not.
+  CHECK(tracer.radiance(down, random).x ==
+        doctest::Approx(0.6 / 3.14159265 * 9 / 4));
+  const Ray beside{{1.5f, 0.5f, 0.5f}, {0, -1, 0}};
+  CHECK(tracer.radiance(beside, random).x ==
+        doctest::Approx(0.2 / 3.14159265 * 9 * 2 / std::pow(5.0, 1.5)));
+}
+
+// The sky cannot be asked, so its light comes by the path itself.
+TEST_CASE("a patterned floor under a sky is kd ke") {
+  for (const char* kind : {"kd", "ks"}) {
+    const Scene scene = scene_text(
+        floor_of(std::string("{ ") + kind + " = { checker = [0.6, 0.6] } }") +
+        "[[shapes]]\ntype = \"plane\"\nnormal = [0, -1, 0]\ndistance = 5\n"
+        "material = \"sky\"\n");
+    const Pixel pixel =
+        estimate(PathTracer(scene, one_bounce()), down, 20'000);
+    CAPTURE(pixel.mean[0]);
+    CHECK(deviations(pixel, 0, 0.6 * 2) < 4.4);
+  }
+}
+
+// Every ray, of both events, brings 1.
+TEST_CASE("a glass ball by Fresnel in a white room is invisible on average") {
+  const Scene scene =
+      in_white_room("{ ks = 1, kt = 1, fresnel = true }", ball("thing"));
+  RenderSettings settings;
+  settings.max_bounces = 60;
+  const PathTracer tracer(scene, settings);
+  Pixel pixel;
+  for (std::uint64_t i = 0; i < 20'000; ++i) {
+    Random random(9, 0, i);
+    const Ray ray = ray_at_thing(random);
+    pixel.add(tracer.radiance(ray, random));
+  }
+  CAPTURE(pixel.mean[0]);
+  CHECK(std::abs(pixel.mean[0] - 1) <=
+        4.4 * std::sqrt(pixel.variance(0) / pixel.samples) + 1e-5);
+}
