@@ -2,12 +2,12 @@
 
 // # Eight at a time
 //
-// A processor adds four or eight floats about as fast as one, if they lie side
-// by side. So shapes are kept by type, eight to a pack, and a ray meets a
-// whole pack at once. `Float8` is such a row of eight numbers; all operations
-// work on each of the eight lanes by itself, in the same order and with the
-// same rounding as one float would. So it makes no difference to the bits how
-// many lanes the processor takes at a time.
+// A processor adds four or eight floats about as fast as one, if they lie
+// side by side. So shapes are kept by type, eight to a pack, and a ray meets
+// a whole pack at once. `Float8` is such a row of eight numbers; all
+// operations work on each of the eight lanes by itself, in the same order and
+// with the same rounding as one float would. So it makes no difference to the
+// bits how many lanes the processor takes at a time.
 //
 // That is the width of its registers, and a row is made of as many parts as
 // it takes: one part of eight lanes with AVX2, two of four on any other x86

@@ -75,22 +75,22 @@ TEST_CASE("the count of allocations counts") {
 TEST_CASE("no stage allocates memory while it renders") {
 #if __has_include("stages/1_diffuse/path_tracer.hpp")
   check_allocations<stage1::PathTracer>(
-      scene_file("cornell_box_ceiling_diffuse.toml", 64, 64));
+      scene_file("cornell_box_ceiling_diffuse", 64, 64));
 #endif
 #if __has_include("stages/2_next_event/path_tracer.hpp")
   check_allocations<stage2::PathTracer>(
-      scene_file("cornell_box_lamp_diffuse.toml", 64, 64));
+      scene_file("cornell_box_lamp_diffuse", 64, 64));
 #endif
 #if __has_include("stages/3_specular_refraction/path_tracer.hpp")
   check_allocations<stage3::PathTracer>(
-      scene_file("cornell_box_point.toml", 64, 64));
+      scene_file("cornell_box_point", 64, 64));
 #endif
 #if __has_include("stages/4_russian_roulette/path_tracer.hpp")
   check_allocations<stage4::PathTracer>(
-      scene_file("cornell_box_point.toml", 64, 64));
+      scene_file("cornell_box_point", 64, 64));
 #endif
 #if __has_include("stages/5_fresnel_textures/path_tracer.hpp")
   check_allocations<stage5::PathTracer>(
-      scene_file("textured_globe.toml", 64, 64));
+      scene_file("textured_globe", 64, 64));
 #endif
 }

@@ -1,4 +1,5 @@
-# cmake -DPROGRAMS="a;b" -P same_hits.cmake: runs all and compares their output.
+# cmake -DPROGRAMS="a;b" -P same_hits.cmake runs all and compares what they
+# print.
 foreach(program IN LISTS PROGRAMS)
   execute_process(COMMAND ${program} OUTPUT_VARIABLE hits
                   RESULT_VARIABLE failed)

@@ -1,0 +1,125 @@
+#pragma once
+
+// # Boxes
+//
+// A box with its sides along the axes is quickly met, and every shape but a
+// plane fits into one. A tree of boxes finds the few shapes near a ray among
+// a million: see common/bounding_volume_hierarchy.hpp.
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/flat.hpp"
+#include "common/lanes.hpp"
+#include "common/ray.hpp"
+#include "common/sphere.hpp"
+
+namespace lightwalk {
+
+// #region box
+/// What lies between two corners; empty at first.
+struct Box {
+  Vec3 low{infinity}, high{-infinity};
+
+  void include(const Vec3& position) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+  void include(const Box& box) {
+    low = glm::min(low, box.low);
+    high = glm::max(high, box.high);
+  }
+  Vec3 center() const { return 0.5f * low + 0.5f * high; }
+
+  /// Half the surface. An empty box has none.
+  float half_area() const {
+    const Vec3 size = glm::max(high - low, Vec3(0));
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+  }
+};
+// #endregion box
+
+// A hit is found to a few roundings, and flat shapes reach a little over
+// their edges, so boxes are made a little larger than what they hold.
+
+inline Box widened(Box box) {
+  const float more = 0x1p-18f * std::max(max_abs_component(box.low),
+                                         max_abs_component(box.high));
+  return {box.low - more, box.high + more};
+}
+inline Box bounds(const Sphere& sphere) {
+  return widened(
+      {sphere.center - sphere.radius, sphere.center + sphere.radius});
+}
+inline Box bounds(const Triangle& triangle) {
+  Box box;
+  box.include(triangle.corner);
+  box.include(triangle.corner + triangle.edge_u);
+  box.include(triangle.corner + triangle.edge_v);
+  return widened(box);
+}
+inline Box bounds(const Rectangle& rectangle) {
+  Box box;
+  box.include(rectangle.corner);
+  box.include(rectangle.corner + rectangle.edge_u);
+  box.include(rectangle.corner + rectangle.edge_v);
+  box.include(rectangle.corner + rectangle.edge_u + rectangle.edge_v);
+  return widened(box);
+}
+
+/// Eight boxes. A lane that is not set is met by no ray.
+struct BoxPack {
+  Vec3x8 low, high;
+
+  BoxPack() {
+    for (int i = 0; i < lane_count; ++i) set(i, Box{});
+  }
+  void set(int lane, const Box& box) {
+    low.set(lane, box.low);
+    high.set(lane, box.high);
+  }
+};
+
+// ## Meeting a box
+//
+// A box is what three pairs of parallel planes have in common. Along each
+// axis the ray is between the two planes from one distance to another, and it
+// is in the box where it is between all three pairs. Dividing by a direction
+// of 0 along an axis would give 0/0 on the planes themselves, so such a
+// direction is taken as a very small one.
+
+/// A ray, prepared for meeting many boxes.
+struct BoxRay {
+  Vec3 origin, inverse;
+
+  explicit BoxRay(const Ray& ray) : origin(ray.origin) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float d = ray.direction[axis];
+      inverse[axis] =
+          1 / (std::abs(d) < 1e-18f ? std::copysign(1e-18f, d) : d);
+    }
+  }
+
+  // #region box-intersection
+  /// Where the ray enters each box; infinity where it does not before `end`.
+  Float8 enter(const BoxPack& boxes, float end) const {
+    Float8 first = broadcast(0.0f), last = broadcast(end);
+    between(boxes.low.x, boxes.high.x, 0, first, last);
+    between(boxes.low.y, boxes.high.y, 1, first, last);
+    between(boxes.low.z, boxes.high.z, 2, first, last);
+    const float slack = 1 + 0x1p-20f;  // more than the roundings above
+    return select(first <= last * slack, first, broadcast(infinity));
+  }
+
+ private:
+  void between(const Float8& low, const Float8& high, int axis, Float8& first,
+               Float8& last) const {
+    const Float8& near = inverse[axis] < 0 ? high : low;
+    const Float8& far = inverse[axis] < 0 ? low : high;
+    first = max(first, (near - origin[axis]) * inverse[axis]);
+    last = min(last, (far - origin[axis]) * inverse[axis]);
+  }
+  // #endregion box-intersection
+};
+
+}  // namespace lightwalk
