@@ -93,10 +93,9 @@ mistakes: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS)
 	@python3 tools/mistakes.py --build $(BUILD) -j $(JOBS) $(MISTAKES)
 
-# Renders each known mistake once, so that a failing golden can be told which
-# of them it looks like: minutes.
-signatures: setup $(BUILD)/CMakeCache.txt
-	@cmake --build $(BUILD) -j $(JOBS)
+# What the known mistakes look like, so that a failing golden can be told which
+# of them it resembles: minutes, after those of `make mistakes`.
+signatures: mistakes
 	@python3 tools/signatures.py --build $(BUILD) -j $(JOBS)
 
 # Repetitions, since times scatter: BASE names an earlier bench.json.

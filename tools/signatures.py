@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""Renders each known mistake of the catalogue, and keeps what it looks like.
+"""Keeps what each known mistake looks like; run mistakes.py first.
 
     signatures.py [--stage N] [-j JOBS] [--build build]
 
-A mistake that a golden image catches leaves its signature, the means and
-variances of tiles, in tests/golden/signatures/stageN_scene.txt: a failing
-golden is compared with them, and names those that it cannot be told from. Then
-every mistake is rendered again with another seed, and its diagnosis noted in
-build/signatures/confusion.md: which is named first, and is it the right one?
+A mistake that a golden image catches has left its signature, the means and
+variances of tiles. They are gathered in tests/golden/signatures/
+stageN_scene.txt: a failing golden is compared with them, and names those that
+it cannot be told from. Then every such mistake is rendered again with another
+seed, and its diagnosis noted in build/mistakes/confusion.md: which is named
+first, and is it the right one?
 """
 
 import argparse
@@ -24,43 +25,15 @@ ROOT = catalogue.ROOT
 SIGNATURES = ROOT / "tests" / "golden" / "signatures"
 
 
-def build_suite(mistake, suite, given, folder):
-    """Compiles the golden test alone with the mistake. Returns the program."""
-    folder = folder / f"stage{mistake.stage}" / mistake.name
-    overlay = folder / suite.header.relative_to(ROOT)
-    overlay.parent.mkdir(parents=True, exist_ok=True)
-    program = folder / suite.target
-    header = catalogue.changed_header(mistake, suite)
-    if program.exists() and overlay.exists() and overlay.read_text() == header:
-        return program
-    overlay.write_text(header)
-    source = ROOT / "tests" / f"stage{mistake.stage}" / "test_goldens.cpp"
-    target = folder / "suite.o"
-    options = [f"-I{folder}", "-include", str(given)]
-    catalogue.run(suite.compile_command(source, target, options), mistake.name)
-    place = suite.link.index("-o")
-    catalogue.run(
-        [*suite.link[:place], str(target), "-o", str(program), *suite.link[place + 2 :]],
-        mistake.name,
-    )
-    target.unlink()
-    return program
-
-
-def run_goldens(program, seed, name=None):
-    """What the golden test says with this seed; signatures are left beside."""
-    environment = {**os.environ, "LIGHTWALK_GOLDEN_SEED": str(seed)}
-    if name:
-        environment["LIGHTWALK_SIGNATURE"] = name
-        for old in program.parent.glob("stage*_*.txt"):
-            old.unlink()
+def run_goldens(program):
+    """What the golden test says of a mistake's program, with another seed."""
+    environment = {**os.environ, "LIGHTWALK_GOLDEN_SEED": "77"}
     try:
-        done = subprocess.run(
-            [program], env=environment, cwd=program.parent, capture_output=True,
-            text=True, errors="replace", timeout=600,
+        return subprocess.run(
+            [program, "-tc=golden*"], env=environment, cwd=program.parent,
+            capture_output=True, text=True, errors="replace", timeout=600,
             preexec_fn=catalogue.limit_time,
-        )
-        return done.stdout
+        ).stdout
     except subprocess.TimeoutExpired:
         return ""
 
@@ -110,30 +83,19 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
     options = parser.parse_args()
     build = options.build.resolve()
-    folder = build / "signatures"
+    folder = build / "mistakes"
     mistakes = [
         one
         for path in sorted(catalogue.CATALOGUE.glob("stage?.toml"))
         for one in catalogue.read_mistakes(path)
         if one.verdict == "fail" and options.stage in (None, one.stage)
     ]
-    suites = {n: catalogue.Suite(build, n) for n in sorted({m.stage for m in mistakes})}
-    given = {n: catalogue.precompile(s, folder / f"given{n}") for n, s in suites.items()}
-
-    def render(mistake):
-        program = build_suite(mistake, suites[mistake.stage], given[mistake.stage], folder)
-        report = run_goldens(program, 5, mistake.name)
-        print(f"stage {mistake.stage}: {mistake.name}: "
-              f"{report.count('ERROR: ')} goldens catch it", flush=True)
-        return mistake, program
-
-    try:
-        rows = in_parallel(options.jobs, render, mistakes)
-    except catalogue.Failure as failure:
-        sys.exit(f"signatures: {failure}")
+    rows = [(one, folder / f"stage{one.stage}" / one.name / f"stage{one.stage}_tests")
+            for one in mistakes]
+    rows = [row for row in rows if any(row[1].parent.glob("stage*_*.txt"))]
     if options.stage is None:
         collect(rows)
-    reports = in_parallel(options.jobs, lambda row: run_goldens(row[1], 77), rows)
+    reports = in_parallel(options.jobs, lambda row: run_goldens(row[1]), rows)
     table = confusion(rows, reports)
     (folder / "confusion.md").write_text(table)
     print(table.splitlines()[-1])
