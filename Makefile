@@ -94,8 +94,9 @@ mistakes: setup $(BUILD)/CMakeCache.txt
 	@python3 tools/mistakes.py --build $(BUILD) -j $(JOBS) $(MISTAKES)
 
 # What the known mistakes look like, so that a failing golden can be told which
-# of them it resembles: minutes, after those of `make mistakes`.
-signatures: mistakes
+# of them it resembles: minutes.
+signatures: setup $(BUILD)/CMakeCache.txt
+	@cmake --build $(BUILD) -j $(JOBS)
 	@python3 tools/signatures.py --build $(BUILD) -j $(JOBS)
 
 # Repetitions, since times scatter: BASE names an earlier bench.json.

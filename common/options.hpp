@@ -76,7 +76,8 @@ inline std::optional<int> parse_options(int argc, char** argv,
                                         int most_bounces, Options& options) {
   CLI::App app(description, program);
   // An option that is given twice counts as it was given last.
-  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  app.option_defaults()->multi_option_policy(
+      CLI::MultiOptionPolicy::TakeLast);
   app.set_version_flag("--version",
                        program + " (Lightwalk) " + LIGHTWALK_VERSION);
   app.add_option("scene", options.scene, "Scene file (.toml)")->required();

@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-"""Keeps what each known mistake looks like; run mistakes.py first.
+"""Renders each known mistake, and keeps what it looks like.
 
     signatures.py [--stage N] [-j JOBS] [--build build]
 
-A mistake that a golden image catches has left its signature, the means and
-variances of tiles. They are gathered in tests/golden/signatures/
-stageN_scene.txt: a failing golden is compared with them, and names those that
+A mistake that a golden image catches leaves its signature, the means and
+variances of tiles, in tests/golden/signatures/stageN_scene.txt: a failing golden is compared with them, and names those that
 it cannot be told from. Then every such mistake is rendered again with another
-seed, and its diagnosis noted in build/mistakes/confusion.md: which is named
+seed, and its diagnosis noted in build/signatures/confusion.md: which is named
 first, and is it the right one?
 """
 
@@ -25,13 +24,45 @@ ROOT = catalogue.ROOT
 SIGNATURES = ROOT / "tests" / "golden" / "signatures"
 
 
-def run_goldens(program):
-    """What the golden test says of a mistake's program, with another seed."""
-    environment = {**os.environ, "LIGHTWALK_GOLDEN_SEED": "77"}
+def build_suite(mistake, suite, given, folder):
+    """Compiles the golden test alone with the mistake. Returns the program."""
+    folder = folder / f"stage{mistake.stage}" / mistake.name
+    overlay = folder / suite.header.relative_to(ROOT)
+    overlay.parent.mkdir(parents=True, exist_ok=True)
+    program = folder / suite.target
+    header = catalogue.changed_header(mistake, suite)
+    if program.exists() and overlay.exists() and overlay.read_text() == header:
+        return program
+    overlay.write_text(header)
+    source = ROOT / "tests" / f"stage{mistake.stage}" / "test_goldens.cpp"
+    target = folder / "suite.o"
+    options = [f"-I{folder}", "-include", str(given)]
+    catalogue.run(suite.compile_command(source, target, options), mistake.name)
+    place = suite.link.index("-o")
+    rest = suite.link[place + 2 :]
+    catalogue.run(
+        [*suite.link[:place], str(target), "-o", str(program), *rest], mistake.name
+    )
+    target.unlink()
+    return program
+
+
+def run_goldens(program, build, seed, name=None):
+    """What the golden test says with this seed; signatures are left beside."""
+    environment = {
+        **os.environ,
+        "LIGHTWALK_GOLDEN_SEED": str(seed),
+        "LD_LIBRARY_PATH": str(build),
+        "DYLD_LIBRARY_PATH": str(build),
+    }
+    if name:
+        environment["LIGHTWALK_SIGNATURE"] = name
+        for old in program.parent.glob("stage*_*.txt"):
+            old.unlink()
     try:
         return subprocess.run(
-            [program, "-tc=golden*"], env=environment, cwd=program.parent,
-            capture_output=True, text=True, errors="replace", timeout=600,
+            [program], env=environment, cwd=program.parent, capture_output=True,
+            text=True, errors="replace", timeout=600,
             preexec_fn=catalogue.limit_time,
         ).stdout
     except subprocess.TimeoutExpired:
@@ -79,23 +110,41 @@ def confusion(rows, reports):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--stage", type=int)
+    parser.add_argument("names", nargs="*", help="stageN/name, only these")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
     options = parser.parse_args()
     build = options.build.resolve()
-    folder = build / "mistakes"
+    folder = build / "signatures"
     mistakes = [
         one
         for path in sorted(catalogue.CATALOGUE.glob("stage?.toml"))
         for one in catalogue.read_mistakes(path)
         if one.verdict == "fail" and options.stage in (None, one.stage)
+        and (not options.names or f"stage{one.stage}/{one.name}" in options.names)
     ]
-    rows = [(one, folder / f"stage{one.stage}" / one.name / f"stage{one.stage}_tests")
-            for one in mistakes]
-    rows = [row for row in rows if any(row[1].parent.glob("stage*_*.txt"))]
-    if options.stage is None:
-        collect(rows)
-    reports = in_parallel(options.jobs, lambda row: run_goldens(row[1]), rows)
+    suites = {n: catalogue.Suite(build, n) for n in sorted({m.stage for m in mistakes})}
+    given = {
+        n: catalogue.precompile(suite, folder / f"given{n}")
+        for n, suite in suites.items()
+    }
+
+    def render(mistake):
+        suite = suites[mistake.stage]
+        program = build_suite(mistake, suite, given[mistake.stage], folder)
+        report = run_goldens(program, build, 5, mistake.name)
+        count = report.count("ERROR: golden")
+        print(f"stage {mistake.stage}: {mistake.name}: {count} goldens fail", flush=True)
+        return mistake, program
+
+    try:
+        rows = in_parallel(options.jobs, render, mistakes)
+    except catalogue.Failure as failure:
+        sys.exit(f"signatures: {failure}")
+    collect(rows)
+    reports = in_parallel(
+        options.jobs, lambda row: run_goldens(row[1], build, 77), rows
+    )
     table = confusion(rows, reports)
     (folder / "confusion.md").write_text(table)
     print(table.splitlines()[-1])

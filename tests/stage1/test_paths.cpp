@@ -71,15 +71,15 @@ TEST_CASE("a wall scatters to the side that it is seen from") {
 // One that hits the surface again has used up its bounce, and brings nothing.
 TEST_CASE("a floor has no dark spots where rays hit it again") {
   const Scene slanted =
-      scene_text(materials + plane("[0.48, 0.6, 0.64]", "1000", "floor") +
-                 plane("[-0.48, -0.6, -0.64]", "-900", "sky"));
+      scene_text(materials + plane("[0.48, 0.6, 0.64]", "10000", "floor") +
+                 plane("[-0.48, -0.6, -0.64]", "-9000", "sky"));
   const Vec3 normal(0.48f, 0.6f, 0.64f);
   Random random(1, 0, 0);
   for (int i = 0; i < 10'000; ++i) {
     const Vec2 u = random.uniform_2d();
-    const Vec3 aside = 500 * (u.x - 0.5f) * Vec3(0.8f, -0.64f, 0) +
-                       500 * (u.y - 0.5f) * Vec3(0, -0.64f, 0.6f);
-    const Ray ray{-950.0f * normal + aside, -normal};
+    const Vec3 aside = 5000 * (u.x - 0.5f) * Vec3(0.8f, -0.64f, 0) +
+                       5000 * (u.y - 0.5f) * Vec3(0, -0.64f, 0.6f);
+    const Ray ray{-9500.0f * normal + aside, -normal};
     REQUIRE(tracer(slanted, 1).radiance(ray, random).x ==
             doctest::Approx(0.8 * 2));
   }
