@@ -39,8 +39,6 @@ help:
 	@echo "make bench         measure what everything costs (BASE=old.json compares)"
 	@echo "make bench-peers   time stage 4 and Mitsuba 3 side by side"
 	@echo "make book          weave the book: $(BUILD)/book/index.html"
-	@echo "make slides        the decks: $(BUILD)/slides/, HTML and PDF"
-	@echo "make test-site     test both"
 	@echo "make setup         install what is missing (SETUP=print only says what)"
 	@echo "make clean         delete $(BUILD)/"
 	@echo "make help          this list"

@@ -128,21 +128,21 @@ def two_densities(_):
 def next_event(_):
     yield f'<path d="M30 30 H490 V270 H30" fill="none" stroke="{INK}" ' \
           'stroke-width="2"/>'
-    yield circle(375, 218, 52, "#d9e4ef", COOL)
+    yield circle(365, 150, 36, "#d9e4ef", COOL)
     yield circle(250, 80, 6, "#e8b400", WARM)
     yield text(250, 62, "light", WARM)
-    a, b, c = (170, 270), (490, 190), (322, 30)
+    a = (170, 270)
     yield line(30, 190, a[0], a[1], INK, 2.2, True)
     yield text(46, 182, "from the camera", SOFT, "start", size=13)
     yield line(*a, 130, 30, INK, 2.2, True)
     yield line(130, 30, 440, 270, INK, 2.2, True, "")
     yield line(*a, 248, 87, GREEN, 1.6, False, "6 4")
     yield line(130, 30, 244, 77, GREEN, 1.6, False, "6 4")
-    yield line(440, 270, 402, 224, WARM, 1.6, False, "6 4")
-    yield line(402, 224, 256, 87, SOFT, 1, False, "2 4")
+    yield line(440, 270, 354, 184, WARM, 1.6, False, "6 4")
+    yield line(354, 184, 256, 87, SOFT, 1, False, "2 4")
     yield text(190, 190, "lit", GREEN, "end")
     yield text(196, 46, "lit", GREEN)
-    yield text(452, 258, "in shadow", WARM, "start", size=13)
+    yield text(424, 232, "in shadow", WARM, "start", size=13)
     for number, (x, y) in enumerate((a, (130, 30), (440, 270)), 1):
         yield circle(x, y, 4.5)
     yield text(a[0], a[1] + 20, "1")
