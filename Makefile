@@ -30,8 +30,6 @@ help:
 	@echo "make $(firstword $(stages))        build one stage alone ($(stages))"
 	@echo "make test-$(firstword $(stages))   run the tests of one stage"
 	@echo "make book          weave the book: $(BUILD)/book/index.html"
-	@echo "make slides        the decks: $(BUILD)/slides/, HTML and PDF"
-	@echo "make test-site     test both"
 	@echo "make setup         install what is missing (SETUP=print only says what)"
 	@echo "make clean         delete $(BUILD)/"
 	@echo "make help          this list"

@@ -1,9 +1,8 @@
-# The book, the slides and their tests. `make setup-site` installs what they
-# need beyond a compiler; what comes from PyPI and npm goes under $(BUILD).
-
+# The book. `make setup-site` installs what it needs beyond a compiler; what
+# comes from PyPI and npm goes under $(BUILD).
 site_python := $(BUILD)/venv/bin/python
 
-.PHONY: setup-site book slides test-site
+.PHONY: setup-site book
 
 setup-site: setup
 	@tools/setup.sh site
@@ -21,10 +20,3 @@ $(BUILD)/node/made: tools/book/package.json | setup-site
 
 book: build $(BUILD)/venv/made $(BUILD)/node/made
 	@$(site_python) tools/book/build.py $(BUILD)
-
-slides: build $(BUILD)/venv/made $(BUILD)/node/made
-	@$(site_python) tools/slides/build.py $(BUILD)
-
-test-site: book slides
-	@SITE_BUILD=$(abspath $(BUILD)) $(site_python) -m unittest discover \
-	  -s tests/site -t tests/site
