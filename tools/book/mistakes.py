@@ -14,7 +14,7 @@ def mistakes_page():
     files = sorted(ROOT.glob("tests/mistakes/stage*.toml"))
     page = ["# A gallery of mistakes", "",
             "Each of these was put into a correct header, built, and run "
-            "against that stage's tests. The last column names the test that "
+            "against that stage's tests. Below it stands the test that "
             "objected. Where it says *must pass*, the change is no mistake "
             "though it may look like one.", ""]
     count = 0
