@@ -5,7 +5,7 @@
 # stops with exit code 1 if that is anything.
 #
 #   setup.sh         what `make` and `make test` need
-#   setup.sh site    what the book, the slides and their tests need besides
+#   setup.sh site    what the book needs besides
 set -eu
 
 debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
@@ -14,7 +14,7 @@ debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
 brew_packages="cmake ninja glm openimageio cli11 tomlplusplus doctest
   google-benchmark"
 if [ "${1:-}" = site ]; then
-  debian_packages="chromium fonts-dejavu-core python3-venv"
+  debian_packages="python3-venv"
   # Other sources of node have npm in the same package.
   command -v node >/dev/null || debian_packages="$debian_packages nodejs"
   command -v npm >/dev/null || debian_packages="$debian_packages npm"
@@ -56,7 +56,7 @@ else
 setup: this system has neither apt-get nor Homebrew. Please install:
   a C++20 compiler, CMake 3.22 or newer, Ninja (optional), GLM, OpenImageIO,
   CLI11, toml++ 3, doctest, Google Benchmark, Python 3.11 with jsonschema;
-  for the book and the slides Node 20 with npm, and Chromium.
+  for the book Node 20 with npm.
   With vcpkg: `vcpkg install` in this folder reads vcpkg.json.
 TEXT
     exit 1

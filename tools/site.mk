@@ -1,6 +1,5 @@
-# The book. `make setup-site` installs what it
-# needs beyond a compiler; what comes from PyPI and npm goes under $(BUILD).
-
+# The book. `make setup-site` installs what it needs beyond a compiler; what
+# comes from PyPI and npm goes under $(BUILD).
 site_python := $(BUILD)/venv/bin/python
 
 .PHONY: setup-site book

@@ -22,6 +22,7 @@ html_js_files = ["keys.js"]
 html_show_search_summary = False  # it would fetch pages, which file:// forbids
 html_show_sourcelink = False
 html_copy_source = False
+html_show_copyright = False
 html_permalinks_icon = "#"
 
 html_theme = "furo"

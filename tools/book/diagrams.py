@@ -87,7 +87,7 @@ def hemisphere(_):
     yield line(30, y, 410, y, INK, 2)
     yield (f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" '
            f'fill="#f3e9df" stroke="{SOFT}" stroke-dasharray="4 3"/>')
-    for angle in (-72, -50, -12, 20, 66, 80):
+    for angle in (-72, -50, -12, 20, 62):
         yield line(*polar(x, y, angle, r + 34), *polar(x, y, angle, r + 8),
                    WARM, 1.2, True)
     yield ray(x, y, 0, r + 30, INK)
@@ -100,7 +100,7 @@ def hemisphere(_):
     yield text(*polar(x, y + 4, 21, 68), "θ", style="italic")
     yield circle(x, y, 4)
     yield text(x, y + 24, "x", style="italic")
-    yield text(x + r + 6, y - 22, "Ω", SOFT)
+    yield text(x + r + 12, y - 22, "Ω", SOFT)
 
 
 @diagram("two-densities", 520, 300)
@@ -110,8 +110,6 @@ def two_densities(_):
     for x, name, cosine in ((130, "uniform in solid angle", False),
                             (390, "in proportion to the cosine", True)):
         yield circle(x, 130, 100, "#f3e9df", SOFT)
-        yield (f'<path d="M{x - 100} 290 A100 40 0 0 1 {x + 100} 290" '
-               f'fill="none"/>')
         for u, v in pairs:
             sine = math.sqrt(u) if cosine else math.sqrt(1 - u * u)
             phi = 2 * math.pi * v

@@ -160,8 +160,7 @@ class Figures:
                       label, ":::::"]
         lines += [":::::{container} caption", entry["caption"].strip(), ""]
         if facts:
-            lines += [f"*{facts[0].upper()}{facts[1:]}.*"
-                      .replace("*`", "* `"), ""]
+            lines += [f"Made with {facts}.", ""]
         if commands:
             lines += ["::::{dropdown} The commands" if len(commands) > 1
                       else "::::{dropdown} The command", "```sh", *commands,

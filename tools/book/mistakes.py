@@ -6,7 +6,7 @@ from literate import ROOT
 
 
 def quoted(text):
-    return " ".join(text.split()).replace("|", "\\|")
+    return " ".join(text.split()).replace("|", "\\|").replace("<", "\\<")
 
 
 def mistakes_page():
@@ -14,7 +14,7 @@ def mistakes_page():
     files = sorted(ROOT.glob("tests/mistakes/stage*.toml"))
     page = ["# A gallery of mistakes", "",
             "Each of these was put into a correct header, built, and run "
-            "against that stage's tests. The last column names the test that "
+            "against that stage's tests. Below it stands the test that "
             "objected. Where it says *must pass*, the change is no mistake "
             "though it may look like one.", ""]
     count = 0
@@ -26,18 +26,15 @@ def mistakes_page():
         page += [f"## Stage {path.stem.removeprefix('stage')}", ""]
         for entry in entries:
             count += 1
-            page += [f"### {quoted(entry['name']).replace('_', ' ')}", "",
-                     quoted(entry["sentence"]), ""]
-            old, new = (entry[k].rstrip("\n").split("\n")
-                        for k in ("find", "replace"))
-            page += ["```diff", *("- " + line for line in old),
-                     *("+ " + line for line in new), "```", ""]
-            caught = entry.get("caught_by", "")
-            names = [caught] if isinstance(caught, str) else caught
-            if entry.get("verdict", "").replace("_", " ") == "must pass" \
-                    or not any(names):
+            title = entry["name"].replace("-", " ").capitalize()
+            page += [f"### {title}", "", quoted(entry["sentence"]), "",
+                     "```diff"]
+            for edit in entry.get("edit", [entry]):
+                for sign, key in (("- ", "find"), ("+ ", "replace")):
+                    page += [sign + line for line in edit[key].split("\n")]
+            page += ["```", ""]
+            if entry.get("verdict") == "pass":
                 page += ["*Must pass: this is not a mistake.*", ""]
             else:
-                page += ["Caught by: " + "; ".join(
-                    f"“{quoted(name)}”" for name in names), ""]
+                page += [f"Caught by: “{quoted(entry['caught_by'])}”", ""]
     return page if count else None
