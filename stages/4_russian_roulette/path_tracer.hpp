@@ -27,7 +27,7 @@ using stage3::sample;
 // $p\,\frac{A}{p} + (1-p)\frac{B}{1-p} = A + B$. It is the estimator of stage
 // 1 once more, over a choice of two instead of a hemisphere of directions.
 //
-// Forget to divide and the picture is too dark; the sum of the lots is then
+// Forget to divide and the picture is too dark: the mean is then
 // $pA + (1-p)B$, a weighted mean of the two.
 //
 // ## Four events

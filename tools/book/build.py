@@ -17,7 +17,8 @@ from weave import title_of, weave
 
 # The core, in the order in which it reads best.
 CORE = """vector random frame ray material light plane sphere flat lanes geometry
-  scene camera film ray_count render tone_mapping pfm ppm""".split()
+  box bounding_volume_hierarchy scene camera film ray_count render compiler
+  instruction_sets tone_mapping pfm ppm""".split()
 PAGES = Path(__file__).parent / "pages"
 
 
