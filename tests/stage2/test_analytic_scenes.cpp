@@ -79,9 +79,12 @@ TEST_CASE("a point light at height h over a plane: kd/pi I h/(h^2+r^2)^1.5") {
     CAPTURE(r);
     const Vec3 radiance = one_sample(scene, onto(r), 1);
     const float law = 2 / std::pow(4 + r * r, 1.5f) / pi;
-    CHECK(radiance.x == doctest::Approx(0.5f * 1 * law).epsilon(1e-5));
-    CHECK(radiance.y == doctest::Approx(0.25f * 2 * law).epsilon(1e-5));
-    CHECK(radiance.z == doctest::Approx(1.0f * 3 * law).epsilon(1e-5));
+    CHECK(radiance.x ==
+          doctest::Approx(0.5f * 1 * law).epsilon(1e-5).scale(0));
+    CHECK(radiance.y ==
+          doctest::Approx(0.25f * 2 * law).epsilon(1e-5).scale(0));
+    CHECK(radiance.z ==
+          doctest::Approx(1.0f * 3 * law).epsilon(1e-5).scale(0));
   }
 }
 

@@ -102,7 +102,10 @@ TEST_CASE("without a bound all the light is there") {
   for (int c = 0; c < 3; ++c) {
     CAPTURE(c);
     CAPTURE(pixel.mean[c]);
-    CHECK(deviations(pixel, c, truth[c]) < 4.4);
+    // Where nearly all paths agree, it is rounding that sets them apart.
+    CHECK(std::abs(pixel.mean[c] - truth[c]) <=
+          4.4 * std::sqrt(pixel.variance(c) / pixel.samples) +
+              1e-6 * truth[c]);
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "stages/4_russian_roulette/path_tracer.hpp"
 #include "support/chi_squared.hpp"
 
@@ -33,6 +35,15 @@ double event_p_value(const EventProbabilities& p) {
   for (int i = 0; i < samples; ++i) {
     const Event event = choose_event(p, random.uniform()).event;
     observed[static_cast<std::size_t>(event)] += 1;
+  }
+  // An event that is certain must come every time.
+  const auto certain = std::find_if(expected.begin(), expected.end(),
+                                    [](double e) { return e > samples - 1; });
+  if (certain != expected.end()) {
+    return observed[static_cast<std::size_t>(certain - expected.begin())] ==
+                   samples
+               ? 1
+               : 0;
   }
   return chi_squared_test(observed, expected).p_value;
 }
@@ -131,11 +142,17 @@ TEST_CASE("each event comes as often as its probability says") {
 }
 
 TEST_CASE("the probability that comes with an event is its own") {
-  const EventProbabilities p{0.5f, 0.2f, 0.1f};
-  CHECK(choose_event(p, 0.3f).probability == doctest::Approx(0.5));
-  CHECK(choose_event(p, 0.6f).probability == doctest::Approx(0.2));
-  CHECK(choose_event(p, 0.75f).probability == doctest::Approx(0.1));
-  CHECK(choose_event(p, 0.9f).probability == doctest::Approx(0.2));
+  // In whichever order the bar has them.
+  const EventProbabilities p{0.4f, 0.3f, 0.2f};
+  const double expected[] = {0.4, 0.3, 0.2, 0.1};
+  for (const float xi : {0.05f, 0.15f, 0.25f, 0.35f, 0.45f, 0.55f, 0.65f,
+                         0.75f, 0.85f, 0.95f}) {
+    CAPTURE(xi);
+    const auto [event, probability] = choose_event(p, xi);
+    CAPTURE(static_cast<int>(event));
+    CHECK(probability ==
+          doctest::Approx(expected[static_cast<std::size_t>(event)]));
+  }
 }
 
 TEST_CASE("an event with probability 0 is never chosen, not even by xi = 0") {

@@ -149,6 +149,21 @@ TEST_CASE("a picture repeats, and mixes across its edges") {
                {0.5f, 0.5f, 0});
 }
 
+// To the left of the first column is the last one, and not the second.
+TEST_CASE("a picture of three columns repeats to the left as to the right") {
+  Texture texture;
+  texture.width = 3;
+  texture.height = 1;
+  texture.texels = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
+  const Vec3 columns[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int i = -6; i < 6; ++i) {
+    CAPTURE(i);
+    const float u = (static_cast<float>(i) + 0.5f) / 3;
+    check_colour(image_colour(texture, {u, 0.5f}, false),
+                 columns[(i + 6) % 3]);
+  }
+}
+
 TEST_CASE("the poles of a globe do not mix") {
   const Texture texture = four_texels();
   check_colour(image_colour(texture, {0.25f, 1}, true), {1, 0, 0});

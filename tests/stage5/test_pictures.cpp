@@ -11,9 +11,10 @@ using stage5::PathTracer;
 
 TEST_CASE(
     "without fresnel and patterns the picture is stage 4's, to the bit") {
-  for (const std::string name : {"cornell_box_point", "cornell_box_ceiling",
-                                 "cornell_box_lamp_diffuse", "plastic",
-                                 "coloured_lobes", "glass_cube"}) {
+  for (const std::string name :
+       {"cornell_box_point", "cornell_box_ceiling",
+        "cornell_box_lamp_diffuse", "plastic", "coloured_lobes", "glass_cube",
+        "mirror_corridor"}) {
     CAPTURE(name);
     const Scene scene = scene_file(name, 20, 20);
     RenderSettings settings;
