@@ -5,7 +5,7 @@
 # stops with exit code 1 if that is anything.
 #
 #   setup.sh         what `make` and `make test` need
-#   setup.sh site    what the book needs besides
+#   setup.sh site    what the book and the slides need besides
 set -eu
 
 debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
@@ -18,6 +18,8 @@ if [ "${1:-}" = site ]; then
   # Other sources of node have npm in the same package.
   command -v node >/dev/null || debian_packages="$debian_packages nodejs"
   command -v npm >/dev/null || debian_packages="$debian_packages npm"
+  command -v chromium >/dev/null || command -v google-chrome >/dev/null \
+    || debian_packages="$debian_packages chromium"
   brew_packages="node python"
 fi
 
@@ -56,7 +58,7 @@ else
 setup: this system has neither apt-get nor Homebrew. Please install:
   a C++20 compiler, CMake 3.22 or newer, Ninja (optional), GLM, OpenImageIO,
   CLI11, toml++ 3, doctest, Google Benchmark, Python 3.11 with jsonschema;
-  for the book Node 20 with npm.
+  for the book and the slides Node 20 with npm, and Chromium or Chrome.
   With vcpkg: `vcpkg install` in this folder reads vcpkg.json.
 TEXT
     exit 1

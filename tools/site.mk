@@ -1,8 +1,8 @@
-# The book. `make setup-site` installs what it needs beyond a compiler; what
-# comes from PyPI and npm goes under $(BUILD).
+# The book and the slides. `make setup-site` installs what they need beyond a
+# compiler; what comes from PyPI and npm goes under $(BUILD).
 site_python := $(BUILD)/venv/bin/python
 
-.PHONY: setup-site book
+.PHONY: setup-site book slides test-site
 
 setup-site: setup
 	@tools/setup.sh site
@@ -20,3 +20,6 @@ $(BUILD)/node/made: tools/book/package.json | setup-site
 
 book: build $(BUILD)/venv/made $(BUILD)/node/made
 	@$(site_python) tools/book/build.py $(BUILD)
+
+slides: build $(BUILD)/venv/made $(BUILD)/node/made
+	@$(site_python) tools/slides/build.py $(BUILD)
