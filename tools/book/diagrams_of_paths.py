@@ -11,40 +11,62 @@ def surface(x, y, half):
     yield line(x, y, x, y - 112, SOFT, 1, False, "4 4")
 
 
-@diagram("lobes", 640, 230)
-def lobes(_):
-    y = 130
-    for x, name in ((110, "diffuse"), (320, "specular"), (530, "refraction")):
-        yield from surface(x, y, 84)
-        yield ray(x, y, -42, 96, COOL)
-        yield text(*polar(x - 10, y - 2, -42, 106), "w_o", COOL)
-        yield text(x, 222, name)
-    for angle in (-64, -20, 0, 22, 44, 66):
-        yield ray(110, y, angle, 70, WARM, 1.6)
-    yield ray(320, y, 42, 96, WARM, 2.4)
-    yield text(*polar(332, y - 2, 42, 106), "w_r", WARM)
-    yield ray(530, y, 180 - 26.5, 76, WARM, 2.4)
-    yield text(*polar(550, y + 4, 180 - 26.5, 72), "w_t", WARM, "start")
+def lobe(x, y, name):
+    yield from surface(x, y, 90)
+    yield ray(x, y, -42, 96, COOL)
+    yield text(*polar(x - 10, y - 2, -42, 106), "w_o", COOL)
+    if name == "diffuse":
+        for angle in (-64, -20, 0, 22, 44, 66):
+            yield ray(x, y, angle, 70, WARM, 1.6)
+    elif name == "specular":
+        yield ray(x, y, 42, 96, WARM, 2.4)
+        yield text(*polar(x + 12, y - 2, 42, 106), "w_r", WARM)
+    else:
+        yield ray(x, y, 180 - 26.5, 76, WARM, 2.4)
+        yield text(*polar(x + 20, y + 4, 180 - 26.5, 72), "w_t", WARM, "start")
 
 
-@diagram("mirror-directions", 560, 250)
+@diagram("diffuse-lobe", 220, 150)
+def diffuse_lobe(_):
+    yield from lobe(110, 130, "diffuse")
+
+
+@diagram("specular-lobe", 220, 150)
+def specular_lobe(_):
+    yield from lobe(110, 130, "specular")
+
+
+@diagram("refraction-lobe", 220, 220)
+def refraction_lobe(_):
+    yield from lobe(110, 130, "refraction")
+
+
+def mirror(x, y, at_surface):
+    yield line(x - 115, y, x + 115, y, INK, 2.2)
+    yield ray(x, y, 0, 140, INK)
+    yield text(x + 13, y - 130, "n", style="italic")
+    yield ray(x, y, 48, 124, WARM, 2.4)
+    yield text(*polar(x + 14, y, 48, 132), "w_r", WARM)
+    yield arc(x, y, 0, 48, 40)
+    yield arc(x, y, -48, 0, 40)
+    tip = polar(x, y, -48, 124)
+    if at_surface:
+        yield line(*tip, *polar(x, y, -48, 5), COOL, 2.4, True)
+    else:
+        yield ray(x, y, -48, 124, COOL, 2.4)
+    yield text(tip[0] - 14, tip[1] + 2, "w_o", COOL)
+
+
+@diagram("mirror-directions", 540, 250)
 def mirror_directions(_):
-    for x, name in ((140, "on the slide"), (420, "in the code")):
-        y = 180
-        yield line(x - 115, y, x + 115, y, INK, 2.2)
-        yield ray(x, y, 0, 140, INK)
-        yield text(x + 13, y - 130, "n", style="italic")
-        yield ray(x, y, 48, 124, WARM, 2.4)
-        yield text(*polar(x + 14, y, 48, 132), "w_i", WARM)
+    for x, name in ((135, "on the slide"), (405, "in the code")):
+        yield from mirror(x, 180, x < 200)
         yield text(x, 232, name)
-        yield arc(x, y, 0, 48, 40)
-        yield arc(x, y, -48, 0, 40)
-        tip = polar(x, y, -48, 124)
-        if x < 200:
-            yield line(*tip, *polar(x, y, -48, 5), COOL, 2.4, True)
-        else:
-            yield ray(x, y, -48, 124, COOL, 2.4)
-        yield text(tip[0] - 14, tip[1] + 2, "w_o", COOL)
+
+
+@diagram("mirror", 280, 190)
+def mirror_of_the_slide(_):
+    yield from mirror(140, 170, True)
 
 
 @diagram("one-path", 560, 300)

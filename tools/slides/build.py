@@ -43,10 +43,12 @@ def figure(line, figures):
     shown = ""
     for number in numbers or range(1, len(files) + 1):
         label = panels[number - 1].get("label", "")
-        size = options.get("height", "360")
-        shown += (f'<div><img src="figures/{files[number - 1]}" '
+        file, size = files[number - 1], options.get("height", "360")
+        drawn = file.endswith(".svg")
+        shown += (f'<div{" class=drawn" * drawn}><img src="figures/{file}" '
                   f'alt="{entry["shows"]} {label}" '
-                  f'style="height: {size}px"><p>{label}</p></div>')
+                  f'style="{"max-" * drawn}height: {size}px">'
+                  + f"<p>{label}</p>" * bool(label) + "</div>")
     facts, _ = figures.facts(entry)
     facts = facts.replace("`", "")
     source = f'<p class="source">{facts}</p>' if facts else ""
@@ -58,7 +60,7 @@ def woven(deck, figures):
     slides = []
     for slide in deck.slides:
         check_text(slide.shown, slide.where)
-        text = fill(slide.text, slide.where)
+        text = fill(slide.text, slide.where, "trap" in slide.kinds)
         text = re.sub(r"^\{figure\} (.*)$",
                       lambda m: figure(m[1], figures), text, flags=re.M)
         text = re.sub(r"^::: (columns.*)$", r'<div class="\1"><div>\n', text,

@@ -15,9 +15,14 @@ LARGEST, SMALLEST = 23, 15   # pixels of a slide of 1280 by 720
 LETTER, LINE = 0.602, 1.36   # widest usual monospace letter, line height
 
 
+def indent(line):
+    return len(line) - len(line.lstrip()) if line.strip() else -1
+
+
 def excerpt(lines, steps, reference):
     """The numbers of the lines that belong to the steps: each begins with a
-    line that starts so, comment or code, and ends at the next empty line."""
+    line that starts so, comment or code, and ends at the next empty line or
+    where a block closes."""
     chosen = []
     for step in steps:
         first = next((n for n, line in enumerate(lines)
@@ -25,14 +30,14 @@ def excerpt(lines, steps, reference):
         if first is None:
             raise BookError(f"{reference}: no step begins '{step}'")
         last = next((n for n in range(first, len(lines))
-                     if not lines[n].strip()), len(lines))
+                     if indent(lines[n]) < indent(lines[first])), len(lines))
         if chosen:
             chosen.append(None)
         chosen += range(first, last)
     return chosen
 
 
-def listing(reference, steps="", width=1112, height=500):
+def listing(reference, steps="", width=1112, height=485):
     """HTML for the region, with what is new since the stage before marked."""
     code = region(reference).lines
     path, name = reference.split("#")
@@ -45,8 +50,8 @@ def listing(reference, steps="", width=1112, height=500):
         chosen = excerpt(code, [s.strip() for s in steps.split(";")],
                          reference)
     lines = ["" if n is None else code[n] for n in chosen]
-    indent = min(len(x) - len(x.lstrip()) for x in lines if x)
-    lines = [x[indent:] for x in lines]
+    outer = min(indent(x) for x in lines if x)
+    lines = [x[outer:] for x in lines]
     marked = [i for i, n in enumerate(chosen, 1)
               if n is not None and n + 1 in new]
     if len(marked) == len(lines):
@@ -65,10 +70,12 @@ def listing(reference, steps="", width=1112, height=500):
 
 
 def colours():
-    return HtmlFormatter(style=STYLE).get_style_defs("pre.listing")
+    rules = HtmlFormatter(style=STYLE).get_style_defs("pre.listing")
+    return "\n".join(rule for rule in rules.split("\n") if "<" not in rule
+                     and re.match(r"pre\.listing \.(?!hll)", rule))
 
 
-def fill(text, where):
+def fill(text, where, narrow=False):
     """The slide with its empty blocks ```cpp region=... filled."""
     def filled(match):
         options = dict(re.findall(r'(\w+)=("[^"]*"|\S+)', match[1]))
@@ -79,8 +86,8 @@ def fill(text, where):
                 raise BookError(f"{where}: a listing has no option '{key}'")
         try:
             return listing(reference, options.get("steps", ""),
-                           int(options.get("width", 1112)),
-                           int(options.get("height", 500)))
+                           int(options.get("width", 1046 if narrow else 1112)),
+                           int(options.get("height", 485)))
         except BookError as error:
             raise BookError(f"{where}: {error}") from None
     return re.sub(r"^```cpp (region=.*)\n```$", filled, text, flags=re.M)
