@@ -1,6 +1,7 @@
 """Builds the slides: fills in code and figures, and has Marp set them.
 
-    build.py BUILD      BUILD/slides has the decks, BUILD/slides/index.html
+    build.py BUILD          BUILD/slides has the decks and an index.html
+    build.py BUILD --check  fills in and checks the source, and stops there
 """
 
 import os
@@ -20,6 +21,7 @@ from formulas import check_formulas, formulas
 from index import index_page
 from listing import colours, fill
 from literate import ROOT, BookError
+from offline import check_offline
 
 HEAD = """---
 marp: true
@@ -93,8 +95,7 @@ def marp(build, *options):
 def main():
     build = Path(sys.argv[1]).resolve()
     source, made = build / "slides-source", build / "slides"
-    for folder in (source, made):
-        shutil.rmtree(folder, ignore_errors=True)
+    shutil.rmtree(source, ignore_errors=True)
     figures = Figures(build, source / "figures")
     every = decks()
     for deck in every:
@@ -102,14 +103,18 @@ def main():
         (source / f"{deck.name}.md").write_text(woven(deck, figures))
     check_coverage()
     check_formulas([formula for deck in every for slide in deck.slides
-                    for formula in formulas(slide.text, slide.where.split(":")[0],
+                    for formula in formulas(slide.text, f"slides/{deck.path.name}",
                                             slide.line)], build)
+    if "--check" in sys.argv[2:]:
+        return
+    shutil.rmtree(made, ignore_errors=True)
     (source / "theme.css").write_text(
         (ROOT / "slides/theme.css").read_text() + colours())
     marp(build)
     shutil.copytree(source / "figures", made / "figures")
     marp(build, "--pdf", "--allow-local-files", "--pdf-outlines")
     (made / "index.html").write_text(index_page(every))
+    check_offline(made)
     print(f"The slides are {made}/index.html")
 
 
