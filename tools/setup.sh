@@ -5,7 +5,8 @@
 # stops with exit code 1 if that is anything.
 #
 #   setup.sh         what `make` and `make test` need
-#   setup.sh site    what the book and the slides need besides
+#   setup.sh site    what the book needs besides
+#   setup.sh slides  what the slides and the browser tests need besides
 set -eu
 
 debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
@@ -18,9 +19,17 @@ if [ "${1:-}" = site ]; then
   # Other sources of node have npm in the same package.
   command -v node >/dev/null || debian_packages="$debian_packages nodejs"
   command -v npm >/dev/null || debian_packages="$debian_packages npm"
-  command -v chromium >/dev/null || command -v google-chrome >/dev/null \
-    || debian_packages="$debian_packages chromium"
   brew_packages="node python"
+elif [ "${1:-}" = slides ]; then
+  # Any Chromium or Chrome will do, wherever it comes from.
+  for browser in chromium google-chrome chromium-browser; do
+    if command -v $browser >/dev/null; then exit 0; fi
+  done
+  for browser in Chromium "Google Chrome"; do
+    if [ -d "/Applications/$browser.app" ]; then exit 0; fi
+  done
+  debian_packages="chromium fonts-dejavu-core"
+  brew_packages=chromium
 fi
 
 # run COMMAND: prints it, and runs it unless SETUP=print.
@@ -58,7 +67,7 @@ else
 setup: this system has neither apt-get nor Homebrew. Please install:
   a C++20 compiler, CMake 3.22 or newer, Ninja (optional), GLM, OpenImageIO,
   CLI11, toml++ 3, doctest, Google Benchmark, Python 3.11 with jsonschema;
-  for the book and the slides Node 20 with npm, and Chromium or Chrome.
+  for the book Node 20 with npm, for the slides also Chromium or Chrome.
   With vcpkg: `vcpkg install` in this folder reads vcpkg.json.
 TEXT
     exit 1

@@ -2,10 +2,13 @@
 # compiler; what comes from PyPI and npm goes under $(BUILD).
 site_python := $(BUILD)/venv/bin/python
 
-.PHONY: setup-site book slides test-site
+.PHONY: setup-site setup-slides book slides test-site
 
 setup-site: setup
 	@tools/setup.sh site
+
+setup-slides: setup
+	@tools/setup.sh slides
 
 $(BUILD)/venv/made: tools/book/requirements.txt | setup-site
 	@python3 -m venv $(BUILD)/venv
@@ -21,5 +24,13 @@ $(BUILD)/node/made: tools/book/package.json | setup-site
 book: build $(BUILD)/venv/made $(BUILD)/node/made
 	@$(site_python) tools/book/build.py $(BUILD)
 
-slides: build $(BUILD)/venv/made $(BUILD)/node/made
+slides: build setup-slides $(BUILD)/venv/made $(BUILD)/node/made
 	@$(site_python) tools/slides/build.py $(BUILD)
+
+# What stops a build is tested on copies of the sources, what was built in a
+# browser.
+test-site: book slides
+	@LIGHTWALK_BUILD=$(abspath $(BUILD)) $(site_python) -m unittest discover \
+	  -s tests/site
+	@LIGHTWALK_BUILD=$(abspath $(BUILD)) node --test --test-reporter=spec \
+	  tests/site/*.test.cjs

@@ -4,7 +4,7 @@ const { after, before, test } = require("node:test");
 const { files, launch, url, watched } = require("./browser.cjs");
 
 const phone = { width: 390, height: 844 };
-const paper = { width: 1016, height: 686 }; // A4 landscape within its margins
+const paper = { width: 657, height: 979 }; // A4 within its margins
 
 let browser;
 before(async () => (browser = await launch()));

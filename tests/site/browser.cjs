@@ -15,6 +15,10 @@ function executable() {
       if (fs.existsSync(`${folder}/${name}`)) return `${folder}/${name}`;
     }
   }
+  for (const name of ["Chromium", "Google Chrome"]) {
+    const program = `/Applications/${name}.app/Contents/MacOS/${name}`;
+    if (fs.existsSync(program)) return program;
+  }
   throw new Error("no chromium nor google-chrome on the PATH");
 }
 

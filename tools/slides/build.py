@@ -78,8 +78,9 @@ def woven(deck, figures):
 
 def marp(build, *options):
     environment = dict(os.environ, CHROME_NO_SANDBOX="1")
-    chromium = shutil.which("chromium") or shutil.which("google-chrome")
-    if chromium:
+    names = ("chromium", "google-chrome", "chromium-browser")
+    chromium = next(filter(None, map(shutil.which, names)), None)
+    if chromium:  # elsewhere Marp knows where to look
         environment.setdefault("CHROME_PATH", chromium)
     run = subprocess.run(
         ["node", build / "node/node_modules/@marp-team/marp-cli/marp-cli.js",
