@@ -76,11 +76,14 @@ def front_page(figures, with_mistakes):
     return lines
 
 
-def check_every_formula(build):
+def check_every_formula(build, figures):
     headers = stage_headers() + core_headers()
     found = [f for header in headers for f in formulas_of_header(header)]
     for page in sorted(PAGES.glob("*.md")):
         found += formulas(page.read_text(), page.relative_to(ROOT))
+    found += formulas("\n".join(symbols_page()), "symbols.toml")
+    for name, entry in figures.entries.items():
+        found += formulas(entry["caption"], f"figures.toml, {name}")
     check_formulas(found, build)
 
 
@@ -111,7 +114,7 @@ def main():
         shutil.copy(Path(__file__).parent / name, static)
     figures = Figures(build, source / "figures")
     write_source(source, figures)
-    check_every_formula(build)
+    check_every_formula(build, figures)
     if "--check" in sys.argv[2:]:
         return
     os.environ["BOOK_STATIC"] = str(static)

@@ -89,6 +89,9 @@ def marp(build, *options):
          build / "slides-source", "--output", build / "slides", *options],
         capture_output=True, text=True, env=environment)
     if run.returncode:
+        if "No suitable browser" in run.stderr:
+            raise BookError("PDFs need Chromium or Chrome, and neither was "
+                            "found; `make setup-slides` installs it")
         said = [x for x in run.stderr.split("\n") if "ERROR" in x]
         raise BookError((said or [run.stderr.strip()])[0])
 
