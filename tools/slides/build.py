@@ -116,7 +116,8 @@ def main():
         (ROOT / "slides/theme.css").read_text() + colours())
     marp(build)
     shutil.copytree(source / "figures", made / "figures")
-    marp(build, "--pdf", "--allow-local-files", "--pdf-outlines")
+    marp(build, "--pdf", "--allow-local-files", "--pdf-outlines",
+         "--pdf-outlines.pages=false")
     (made / "index.html").write_text(index_page(every))
     check_offline(made)
     print(f"The slides are {made}/index.html")
