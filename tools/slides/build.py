@@ -107,8 +107,9 @@ def main():
         (source / f"{deck.name}.md").write_text(woven(deck, figures))
     check_coverage()
     check_formulas([formula for deck in every for slide in deck.slides
-                    for formula in formulas(slide.text, f"slides/{deck.path.name}",
-                                            slide.line)], build)
+                    for formula in formulas(
+                        slide.text, f"slides/{deck.path.name}", slide.line)],
+                   build)
     if "--check" in sys.argv[2:]:
         return
     shutil.rmtree(made, ignore_errors=True)

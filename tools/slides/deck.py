@@ -1,4 +1,4 @@
-"""Reads a deck: its title, its slides, and what each of them shows and says."""
+"""Reads a deck: its title, its slides, and what each shows and says."""
 
 import re
 from dataclasses import dataclass
