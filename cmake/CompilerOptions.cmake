@@ -11,6 +11,9 @@ else()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # A note on how eight lanes are passed: they never leave a program.
     target_compile_options(lightwalk INTERFACE -Wno-psabi)
+    # Rows of eight are written as such. What else GCC finds to put side by
+    # side are the components of vectors, and then it shuffles them to and fro.
+    target_compile_options(lightwalk INTERFACE -fno-tree-slp-vectorize)
   endif()
   if(LIGHTWALK_WARNINGS_AS_ERRORS)
     target_compile_options(lightwalk INTERFACE -Werror)

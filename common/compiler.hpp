@@ -10,7 +10,7 @@
 // Both are advice. Compilers that do not know it give the same bits.
 
 #if defined(__GNUC__) && !defined(__clang__)
-#define LIGHTWALK_IN_ONE_PIECE [[gnu::flatten]]
+#define LIGHTWALK_IN_ONE_PIECE __attribute__((flatten))
 #else
 #define LIGHTWALK_IN_ONE_PIECE
 #endif

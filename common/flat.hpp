@@ -62,24 +62,17 @@ struct Triangle : Flat {
   using Flat::Flat;
 };
 
-/// Eight rectangles or eight triangles. A lane that is not set is never hit.
-template <class Shape>
-struct FlatPack {
-  Vec3x8 corner, normal, dual_u, dual_v;
-  Float8 size_u = broadcast(0.0f), size_v = broadcast(0.0f);  // of the duals
-
-  void set(int lane, const Flat& flat) {
-    corner.set(lane, flat.corner);
-    normal.set(lane, flat.normal);
-    dual_u.set(lane, flat.dual_u());
-    dual_v.set(lane, flat.dual_v());
-    size_u[lane] = length(flat.dual_u());
-    size_v[lane] = length(flat.dual_v());
-  }
+/// What is needed to meet a rectangle or a triangle: of one of them, for
+/// eight rays, or of eight of them, for one ray.
+template <class Shape, class Vector, class Number>
+struct FlatForm {
+  Vector corner{}, normal{}, dual_u{}, dual_v{};
+  Number size_u{}, size_v{};  // of the duals
 
   // #region flat-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  Float8 intersect(const Ray& ray) const {
+  template <class Rays>
+  Float8 intersect(const Rays& ray) const {
     const Vec3x8 from_corner = ray.origin - corner;
     const Float8 slope = dot(normal, ray.direction);
     const Float8 distance = -dot(normal, from_corner) / slope;
@@ -99,6 +92,23 @@ struct FlatPack {
     return select(inside, distance, broadcast(infinity));
   }
   // #endregion flat-intersection
+};
+
+/// Eight rectangles or eight triangles. A lane that is not set is never hit.
+template <class Shape>
+struct FlatPack : FlatForm<Shape, Vec3x8, Float8> {
+  void set(int lane, const Flat& flat) {
+    this->corner.set(lane, flat.corner);
+    this->normal.set(lane, flat.normal);
+    this->dual_u.set(lane, flat.dual_u());
+    this->dual_v.set(lane, flat.dual_v());
+    this->size_u[lane] = length(flat.dual_u());
+    this->size_v[lane] = length(flat.dual_v());
+  }
+  FlatForm<Shape, Vec3, float> one(int lane) const {
+    return {this->corner[lane], this->normal[lane], this->dual_u[lane],
+            this->dual_v[lane], this->size_u[lane], this->size_v[lane]};
+  }
 };
 
 /// Completes a hit at `hit.position`, which rounding has put near the plane.

@@ -8,79 +8,23 @@
 // shape that is in the way will do, and it is asked for every light at every
 // hit, so it is worth a function of its own.
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
-#include "common/bounding_volume_hierarchy.hpp"
 #include "common/compiler.hpp"
 #include "common/flat.hpp"
 #include "common/plane.hpp"
 #include "common/ray.hpp"
 #include "common/ray_count.hpp"
+#include "common/ray_packet.hpp"
+#include "common/shape_list.hpp"
 #include "common/sphere.hpp"
 
 namespace lightwalk {
-
-/// From this many shapes of a type on, they are kept in a tree of boxes.
-inline constexpr std::size_t many_shapes = 64;
-
-/// The shapes of one type, as they are and in packs of eight.
-template <class Shape, class Pack>
-class ShapeList {
- public:
-  void add(const Shape& shape) {
-    if (!tree_.empty()) forget_tree();
-    shapes_.push_back(shape);
-    add_to_packs(shapes_.size() - 1, shapes_.size() - 1);
-  }
-
-  /// Arranges the packs for fast search, if there are many shapes. Shapes
-  /// that are added later undo it.
-  void prepare() {
-    if constexpr (!std::is_same_v<Shape, Plane>) {  // has no box
-      if (shapes_.size() < many_shapes || !tree_.empty()) return;
-      tree_ = BoundingVolumeHierarchy(shapes_, order_);
-      packs_ = {};
-      packs_.reserve(order_.size() / lane_count);
-      for (std::size_t place = 0; place < order_.size(); ++place) {
-        add_to_packs(place, order_[place]);
-      }
-    }
-  }
-
-  const std::vector<Shape>& shapes() const { return shapes_; }
-  const std::vector<Pack>& packs() const { return packs_; }
-  const BoundingVolumeHierarchy& tree() const { return tree_; }
-
-  /// The index of the shape in a lane of a pack.
-  std::size_t index(std::size_t pack, int lane) const {
-    const std::size_t place =
-        pack * lane_count + static_cast<std::size_t>(lane);
-    return order_.empty() ? place : order_[place];
-  }
-
- private:
-  void add_to_packs(std::size_t place, std::size_t index) {
-    const int lane = static_cast<int>(place % lane_count);
-    if (lane == 0) packs_.emplace_back();
-    if (index < shapes_.size()) packs_.back().set(lane, shapes_[index]);
-  }
-
-  void forget_tree() {
-    tree_ = {};
-    order_.clear();
-    packs_.clear();
-    for (std::size_t i = 0; i < shapes_.size(); ++i) add_to_packs(i, i);
-  }
-
-  std::vector<Shape> shapes_;
-  std::vector<Pack> packs_;
-  BoundingVolumeHierarchy tree_;
-  std::vector<std::uint32_t> order_;  ///< of the shapes in the packs
-};
 
 class Geometry {
  public:
@@ -113,12 +57,7 @@ class Geometry {
   /// The first surface that the ray meets, if there is one.
   std::optional<Hit> nearest_hit(const Ray& ray) const {
     ++rays_cast;
-    Nearest nearest;
-    nearest.consider(planes_, ray);
-    nearest.consider(spheres_, ray);
-    nearest.consider(rectangles_, ray);
-    nearest.consider(triangles_, ray);
-    return hit_at(ray, nearest);
+    return hit_at(ray, ray_packet ? ray_packet->meet(ray) : meet(ray));
   }
 
   /// Whether nothing lies between two points, neither of them on a surface.
@@ -127,13 +66,49 @@ class Geometry {
     const Vec3 way = to - from;
     const float distance = length(way);
     const Ray ray{from, way / distance};
-    return !(blocks(planes_, ray, distance) ||
-             blocks(spheres_, ray, distance) ||
-             blocks(rectangles_, ray, distance) ||
-             blocks(triangles_, ray, distance));
+    if (ray_packet) return !(ray_packet->meet(ray).distance < distance);
+    return !blocked(ray, distance);
+  }
+
+  /// Whether the shapes are few enough for every ray to meet every shape.
+  bool suits_packets() const {
+    return spheres_.tree().empty() && rectangles_.tree().empty() &&
+           triangles_.tree().empty();
+  }
+
+  // #region meet-packet
+  /// What each of a packet's rays meets: the same, to the bit, as one ray by
+  /// itself.
+  LIGHTWALK_APART void meet(RayPacket& packet) const {
+    for (RayPacket::Row& row : packet.rows) {
+      row.distance = broadcast(infinity);
+    }
+    std::int32_t first = 0;
+    meet(planes_, first, packet);
+    meet(spheres_, first, packet);
+    meet(rectangles_, first, packet);
+    meet(triangles_, first, packet);
   }
 
  private:
+  template <class Shape, class Pack>
+  static void meet(const ShapeList<Shape, Pack>& list, std::int32_t& first,
+                   RayPacket& packet) {
+    const auto count = static_cast<std::int32_t>(list.shapes().size());
+    const Pack* const packs = list.packs().data();
+    for (std::int32_t i = 0; i < count; ++i) {
+      const auto shape = packs[i / lane_count].one(i % lane_count);
+      for (RayPacket::Row& row : packet.rows) {
+        const Float8 t = shape.intersect(row.rays);
+        const Int8 nearer = (t > 0.0f) & (t < row.distance);
+        row.distance = select(nearer, t, row.distance);
+        row.place = select(nearer, broadcast(first + i), row.place);
+      }
+    }
+    first += static_cast<std::int32_t>(list.packs().size()) * lane_count;
+  }
+  // #endregion meet-packet
+
   /// For each of the eight lanes, the nearest hit so far and its pack,
   /// counted through all types in the order in which they are considered.
   struct Nearest {
@@ -148,6 +123,17 @@ class Geometry {
         consider(shapes.intersect(ray), packs_seen);
         ++packs_seen;
       }
+    }
+
+    /// The nearest of the lanes; of equally near ones the first shape.
+    FirstShape first() const {
+      FirstShape found{smallest(distance), packs_seen * lane_count};
+      unsigned lanes = lanes_of(distance == found.distance);
+      for (; lanes != 0; lanes &= lanes - 1) {
+        const int lane = std::countr_zero(lanes);
+        found.place = std::min(found.place, pack[lane] * lane_count + lane);
+      }
+      return found;
     }
 
     void consider(const Float8& t, std::int32_t this_pack) {
@@ -195,34 +181,52 @@ class Geometry {
     return blocked;
   }
 
-  /// The nearest of the eight lanes, as a hit.
-  std::optional<Hit> hit_at(const Ray& ray, const Nearest& nearest) const {
-    const float distance = smallest(nearest.distance);
-    if (!(distance < infinity)) return std::nullopt;
-    const int lane = first_lane(nearest.distance == distance);
+  /// What one ray meets, and what it needs no packet for: it meets a whole
+  /// pack of shapes at once.
+  LIGHTWALK_APART FirstShape meet(const Ray ray) const {
+    Nearest nearest;
+    nearest.consider(planes_, ray);
+    nearest.consider(spheres_, ray);
+    nearest.consider(rectangles_, ray);
+    nearest.consider(triangles_, ray);
+    return nearest.first();
+  }
+
+  /// Whether the ray meets anything before `distance`.
+  LIGHTWALK_APART bool blocked(const Ray ray, float distance) const {
+    return blocks(planes_, ray, distance) ||
+           blocks(spheres_, ray, distance) ||
+           blocks(rectangles_, ray, distance) ||
+           blocks(triangles_, ray, distance);
+  }
+
+  /// The shape that the ray meets, as a hit.
+  std::optional<Hit> hit_at(const Ray& ray, const FirstShape& first) const {
+    if (!(first.distance < infinity)) return std::nullopt;
     Hit hit;
-    hit.distance = distance;
-    hit.position = ray.origin + distance * ray.direction;
-    auto pack = static_cast<std::size_t>(nearest.pack[lane]);
-    if (place(planes_, ShapeType::plane, pack, lane, hit) ||
-        place(spheres_, ShapeType::sphere, pack, lane, hit) ||
-        place(rectangles_, ShapeType::rectangle, pack, lane, hit)) {
+    hit.distance = first.distance;
+    hit.position = ray.origin + first.distance * ray.direction;
+    auto place = static_cast<std::size_t>(first.place);
+    if (complete(planes_, ShapeType::plane, place, hit) ||
+        complete(spheres_, ShapeType::sphere, place, hit) ||
+        complete(rectangles_, ShapeType::rectangle, place, hit)) {
       return hit;
     }
-    place(triangles_, ShapeType::triangle, pack, lane, hit);
+    complete(triangles_, ShapeType::triangle, place, hit);
     return hit;
   }
 
-  /// Completes the hit if the pack is one of this list's; otherwise makes
-  /// `pack` count from the next list's first.
+  /// Completes the hit if it is at one of this list's places; otherwise makes
+  /// `place` count from the next list's first.
   template <class Shape, class Pack>
-  static bool place(const ShapeList<Shape, Pack>& list, ShapeType type,
-                    std::size_t& pack, int lane, Hit& hit) {
-    if (pack >= list.packs().size()) {
-      pack -= list.packs().size();
+  static bool complete(const ShapeList<Shape, Pack>& list, ShapeType type,
+                       std::size_t& place, Hit& hit) {
+    const std::size_t places = list.packs().size() * lane_count;
+    if (place >= places) {
+      place -= places;
       return false;
     }
-    const std::size_t index = list.index(pack, lane);
+    const std::size_t index = list.index(place);
     const Shape& shape = list.shapes()[index];
     hit.shape_type = type;
     hit.shape_index = static_cast<std::uint32_t>(index);

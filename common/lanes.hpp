@@ -197,14 +197,11 @@ inline float smallest(const Float8& x) {
 #endif
 }
 
-/// The first lane that is set; at least one must be.
-inline int first_lane(const Int8& mask) {
-  return std::countr_zero(lanes_of(mask));
-}
-
 /// Eight vectors, each component in its own row.
 struct Vec3x8 {
   Float8 x = broadcast(0.0f), y = broadcast(0.0f), z = broadcast(0.0f);
+
+  Vec3 operator[](int lane) const { return {x[lane], y[lane], z[lane]}; }
 
   void set(int lane, const Vec3& v) {
     x[lane] = v.x;
@@ -216,6 +213,9 @@ struct Vec3x8 {
 inline Float8 dot(const Vec3x8& a, const Vec3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+inline Float8 dot(const Vec3& a, const Vec3x8& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline Float8 dot(const Vec3x8& a, const Vec3x8& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -225,8 +225,14 @@ inline Vec3x8 operator-(const Vec3& a, const Vec3x8& b) {
 inline Vec3x8 operator-(const Vec3x8& a, const Vec3x8& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
+inline Vec3x8 operator-(const Vec3x8& a, const Vec3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 /// For each lane a, the vector a * b.
 inline Vec3x8 scale(const Float8& a, const Vec3& b) {
+  return {a * b.x, a * b.y, a * b.z};
+}
+inline Vec3x8 scale(const Float8& a, const Vec3x8& b) {
   return {a * b.x, a * b.y, a * b.z};
 }
 inline Vec3x8 operator+(const Vec3x8& a, const Vec3x8& b) {

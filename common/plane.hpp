@@ -22,23 +22,32 @@ struct Plane {
   const Material* material;
 };
 
-/// Eight planes. A lane that is not set is hit by no ray.
-struct PlanePack {
-  Vec3x8 normal;
-  Float8 distance = broadcast(0.0f);
-
-  void set(int lane, const Plane& plane) {
-    normal.set(lane, plane.normal);
-    distance[lane] = plane.distance;
-  }
+/// What is needed to meet a plane: of one plane, for eight rays, or of eight
+/// planes, for one ray.
+template <class Vector, class Number>
+struct PlaneForm {
+  Vector normal{};
+  Number distance{};
 
   // #region plane-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  Float8 intersect(const Ray& ray) const {
+  template <class Rays>
+  Float8 intersect(const Rays& ray) const {
     const Float8 height = dot(normal, ray.origin) + distance;
     return -height / dot(normal, ray.direction);
   }
   // #endregion plane-intersection
+};
+
+/// Eight planes. A lane that is not set is hit by no ray.
+struct PlanePack : PlaneForm<Vec3x8, Float8> {
+  void set(int lane, const Plane& plane) {
+    normal.set(lane, plane.normal);
+    distance[lane] = plane.distance;
+  }
+  PlaneForm<Vec3, float> one(int lane) const {
+    return {normal[lane], distance[lane]};
+  }
 };
 
 /// Completes a hit at `hit.position`, which rounding has put near the plane.

@@ -24,7 +24,7 @@ TileRenderer tile_renderer(const Scene& scene,
                            const RenderSettings& settings) {
   return [&scene, seed = settings.seed, tracer = PathTracer(scene, settings)](
              const Tile& tile, Film& film, const std::atomic<bool>& stop) {
-    render_tile(tracer, scene.camera, seed, tile, film, stop);
+    render_tile(tracer, scene, seed, tile, film, stop);
   };
 }
 

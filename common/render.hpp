@@ -3,7 +3,9 @@
 // # Rendering a picture
 //
 // The picture is cut into tiles, and each thread takes the next tile from a
-// counter until none is left. A sample's random numbers depend on the pixel
+// counter until none is left. Within a tile several paths take turns
+// (common/path_group.hpp), each with pixels of its own. A sample's random
+// numbers depend on the pixel
 // and the sample alone, and a pixel's samples are added in order by whichever
 // thread has its tile: so any number of threads gives the same bits.
 //
@@ -16,10 +18,12 @@
 #include <cstdint>
 #include <functional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "common/compiler.hpp"
 #include "common/film.hpp"
+#include "common/path_group.hpp"
 #include "common/random.hpp"
 #include "common/ray_count.hpp"
 #include "common/render_settings.hpp"
@@ -44,31 +48,53 @@ struct RenderProgress {
 };
 
 // #region render-tile
+/// The pixels of a tile that are not taken yet.
+class PixelQueue {
+ public:
+  explicit PixelQueue(const Tile& tile) : tile_(tile), row_(tile.top) {}
+
+  bool empty() const { return row_ == tile_.bottom; }
+
+  /// The next pixel's column and row.
+  std::pair<int, int> take() {
+    const std::pair pixel{column_, row_};
+    if (++column_ == tile_.right) {
+      column_ = tile_.left;
+      ++row_;
+    }
+    return pixel;
+  }
+
+ private:
+  Tile tile_;
+  int column_ = tile_.left, row_;
+};
+
 /// Renders one tile with a stage's path tracer, whose function
 /// `radiance(ray, random)` returns the light that comes back along a ray.
 template <class PathTracer>
-LIGHTWALK_IN_ONE_PIECE void render_tile(const PathTracer& tracer,
-                                        const Camera& camera,
-                                        std::uint64_t seed, const Tile& tile,
-                                        Film& film,
-                                        const std::atomic<bool>& stop) {
-  for (int row = tile.top; row < tile.bottom; ++row) {
-    for (int column = tile.left; column < tile.right; ++column) {
-      if (stop.load(std::memory_order_relaxed)) return;
+void render_tile(const PathTracer& tracer, const Scene& scene,
+                 std::uint64_t seed, const Tile& tile, Film& film,
+                 const std::atomic<bool>& stop) {
+  PixelQueue queue(tile);
+  const auto render_pixels = [&]() LIGHTWALK_IN_ONE_PIECE {
+    while (!queue.empty() && !stop.load(std::memory_order_relaxed)) {
+      const auto [column, row] = queue.take();
       Pixel pixel = film.pixel(column, row);
       const std::uint64_t key = film.index(column, row);
       for (std::uint32_t sample = tile.first; sample < tile.last; ++sample) {
         Random random(seed, key, sample);
-        const Ray ray = camera.ray(column, row, random.uniform_2d());
+        const Ray ray = scene.camera.ray(column, row, random.uniform_2d());
         pixel.add(tracer.radiance(ray, random));
       }
       film.pixel(column, row) = pixel;
     }
-  }
+  };
+  run_paths(scene.geometry, std::cref(render_pixels));
 }
 // #endregion render-tile
 
-inline constexpr int tile_size = 8;
+inline constexpr int tile_size = 16;
 inline constexpr std::uint32_t most_samples_in_a_pass = 64;
 
 /// Renders every tile of one pass.

@@ -28,20 +28,18 @@ struct Sphere {
   const Material* material;
 };
 
-/// Eight spheres. A lane that is not set is hit by no ray.
-struct SpherePack {
-  Vec3x8 center;
-  Float8 radius_squared = broadcast(-1.0f);
-
-  void set(int lane, const Sphere& sphere) {
-    center.set(lane, sphere.center);
-    radius_squared[lane] = sphere.radius * sphere.radius;
-  }
+/// What is needed to meet a sphere: of one sphere, for eight rays, or of
+/// eight spheres, for one ray.
+template <class Vector, class Number>
+struct SphereForm {
+  Vector center{};
+  Number radius_squared{};
 
   // #region sphere-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  Float8 intersect(const Ray& ray) const {
-    const Vec3x8 f = ray.origin - center;
+  template <class Rays>
+  Float8 intersect(const Rays& ray) const {
+    const auto f = ray.origin - center;
     const Float8 b = -dot(f, ray.direction);
     const Vec3x8 beside = f + scale(b, ray.direction);
     const Float8 discriminant = radius_squared - dot(beside, beside);
@@ -55,6 +53,19 @@ struct SpherePack {
     return select(near > 0.0f, near, far);
   }
   // #endregion sphere-intersection
+};
+
+/// Eight spheres. A lane that is not set is hit by no ray.
+struct SpherePack : SphereForm<Vec3x8, Float8> {
+  SpherePack() { radius_squared = broadcast(-1.0f); }
+
+  void set(int lane, const Sphere& sphere) {
+    center.set(lane, sphere.center);
+    radius_squared[lane] = sphere.radius * sphere.radius;
+  }
+  SphereForm<Vec3, float> one(int lane) const {
+    return {center[lane], radius_squared[lane]};
+  }
 };
 
 /// Completes a hit at `hit.position`, which rounding has put near the sphere.

@@ -45,8 +45,9 @@ inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// No channel is ever below 0.
 inline bool is_black(const Vec3& colour) {
-  return (colour.x == 0) & (colour.y == 0) & (colour.z == 0);
+  return !(max_component(colour) > 0);
 }
 
 }  // namespace lightwalk

@@ -28,10 +28,10 @@ template <class Tracer>
 TileRenderer renderer(const Tracer& tracer, std::uint64_t seed = 1) {
   return [&tracer, seed](const Tile& tile, Film& film,
                          const std::atomic<bool>& stop) {
-    Camera camera;
-    camera.width = film.width();
-    camera.height = film.height();
-    render_tile(tracer, camera, seed, tile, film, stop);
+    Scene scene;
+    scene.camera.width = film.width();
+    scene.camera.height = film.height();
+    render_tile(tracer, scene, seed, tile, film, stop);
   };
 }
 

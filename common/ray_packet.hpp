@@ -1,0 +1,71 @@
+#pragma once
+
+// # Sixteen rays at once
+//
+// Where a pack of eight shapes meets one ray, eight answers must be searched
+// for the nearest. It is less work the other way around: one shape meets
+// eight rays, and each of them keeps its own nearest. But a path has only one
+// ray at a time.
+//
+// So sixteen paths are on their way at once. Each puts the ray that it wants
+// to know about into its place of a packet, and waits. When all sixteen wait,
+// their rays meet every shape together, and all can go on. How a path waits
+// is told in common/path_group.hpp.
+
+#include <array>
+#include <cstdint>
+
+#include "common/lanes.hpp"
+#include "common/ray.hpp"
+
+namespace lightwalk {
+
+/// Eight rays.
+struct Ray8 {
+  Vec3x8 origin, direction;
+};
+
+/// What a ray meets first.
+struct FirstShape {
+  float distance;      ///< infinity where it meets nothing
+  std::int32_t place;  ///< the shape's, as Geometry counts them
+};
+
+/// The rays of sixteen paths, eight to a row, and what they meet.
+class RayPacket {
+ public:
+  static constexpr unsigned row_count = 2;
+  static constexpr unsigned size = row_count * lane_count;
+
+  struct Row {
+    Ray8 rays;
+    Float8 distance = broadcast(infinity);
+    Int8 place = broadcast(std::int32_t{0});
+  };
+  std::array<Row, row_count> rows;
+
+  /// What the ray of the current path meets. Meanwhile other paths go on.
+  FirstShape meet(const Ray& ray) {
+    Row& row = rows[path_ / lane_count];
+    const int lane = static_cast<int>(path_ % lane_count);
+    row.rays.origin.set(lane, ray.origin);
+    row.rays.direction.set(lane, ray.direction);
+    wait();
+    return {row.distance[lane], row.place[lane]};
+  }
+
+ protected:
+  RayPacket() = default;
+  ~RayPacket() = default;
+
+  unsigned path_ = 0;  ///< the current one, below `size`
+
+ private:
+  /// Returns when the rows say what the ray of this path meets.
+  virtual void wait() = 0;
+};
+
+/// Of the paths that this thread follows at once; null if it follows one.
+inline constinit thread_local RayPacket* ray_packet = nullptr;
+
+}  // namespace lightwalk

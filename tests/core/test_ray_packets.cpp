@@ -1,0 +1,180 @@
+// Rays of paths that take turns meet what one ray meets by itself.
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "common/path_group.hpp"
+#include "tests/core/vectors.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+
+namespace {
+
+const Material material;
+
+/// A packet that nobody waits for.
+struct Packet : RayPacket {
+  void wait() override {}
+  void put(unsigned path, const Ray& ray) {
+    path_ = path;
+    meet(ray);
+  }
+  FirstShape take(unsigned path) const {
+    const Row& row = rows[path / lane_count];
+    const int lane = static_cast<int>(path % lane_count);
+    return {row.distance[lane], row.place[lane]};
+  }
+};
+
+Vec3 position(Random& random, float reach) {
+  const Vec2 xy = random.uniform_2d();
+  const float z = random.uniform();
+  return reach * (2.0f * Vec3(xy.x, xy.y, z) - 1.0f);
+}
+
+/// `count` shapes of each type but planes, of which there are two.
+Geometry mixed_shapes(int count) {
+  Geometry geometry;
+  Random random(7, 0, 0);
+  geometry.add(Plane{{0, 1, 0}, 3, &material});
+  geometry.add(Plane{{1, 0, 0}, 3, &material});
+  for (int i = 0; i < count; ++i) {
+    const Vec3 place = position(random, 2);
+    const Vec3 u = position(random, 1);
+    const Vec3 v = position(random, 1);
+    geometry.add(Sphere{place, 0.5f, &material});
+    geometry.add(Rectangle{place + u, u, v, &material});
+    geometry.add(Triangle{place - v, u, v, &material});
+  }
+  geometry.prepare();
+  return geometry;
+}
+
+Ray random_ray(Random& random) {
+  const Vec3 origin = position(random, 3);
+  const Vec3 direction = random_direction(random);
+  return {origin, direction};
+}
+
+bool same_bits(const Vec3& a, const Vec3& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+bool same_hit(const std::optional<Hit>& a, const std::optional<Hit>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->distance == b->distance && same_bits(a->position, b->position) &&
+         same_bits(a->normal, b->normal) && a->shape_type == b->shape_type &&
+         a->shape_index == b->shape_index;
+}
+
+}  // namespace
+
+TEST_CASE("a packet of rays meets what each of its rays meets") {
+  // The distance to the last bit; and 11 shapes need two packs.
+  const Geometry geometry = mixed_shapes(11);
+  Random random(1, 0, 0);
+  for (int round = 0; round < 200; ++round) {
+    Packet packet;
+    std::vector<Ray> rays;
+    for (unsigned path = 0; path < Packet::size; ++path) {
+      rays.push_back(random_ray(random));
+      packet.put(path, rays.back());
+    }
+    geometry.meet(packet);
+    for (unsigned path = 0; path < Packet::size; ++path) {
+      const std::optional<Hit> hit = geometry.nearest_hit(rays[path]);
+      CAPTURE(path);
+      REQUIRE(packet.take(path).distance == (hit ? hit->distance : infinity));
+    }
+  }
+}
+
+TEST_CASE("of two shapes at the same place, the first is met") {
+  // Ten planes in one: the first is in lane 0 of pack 0, the ninth in lane 0
+  // of pack 1, and there are two spheres around the same centre.
+  Geometry planes, spheres;
+  for (int i = 0; i < 10; ++i) planes.add(Plane{{0, 0, -1}, 1, &material});
+  for (int i = 0; i < 10; ++i) spheres.add(Sphere{{0, 0, 3}, 1, &material});
+  for (const Geometry* geometry : {&planes, &spheres}) {
+    const Ray ray{{0, 0, 0}, {0, 0, 1}};
+    CHECK(geometry->nearest_hit(ray)->shape_index == 0);
+    Packet packet;
+    for (unsigned path = 0; path < Packet::size; ++path)
+      packet.put(path, ray);
+    geometry->meet(packet);
+    for (unsigned path = 0; path < Packet::size; ++path) {
+      CHECK(packet.take(path).place == 0);
+    }
+  }
+}
+
+TEST_CASE("paths that take turns see what a path alone sees") {
+  // Each takes rays from the queue, one or more at a time, so that they end
+  // at different times.
+  for (const int count : {3, 11, 200}) {
+    const Geometry geometry = mixed_shapes(count);
+    std::vector<Ray> rays;
+    Random random(2, 0, 0);
+    for (int i = 0; i < 3000; ++i) rays.push_back(random_ray(random));
+    std::vector<std::optional<Hit>> hits(rays.size());
+    std::vector<char> visible(rays.size());
+    const auto ask = [&](std::size_t i) {
+      hits[i] = geometry.nearest_hit(rays[i]);
+      visible[i] = geometry.visible(rays[i].origin, rays[i].direction);
+    };
+    std::size_t next = 0;
+    const std::uint64_t before = rays_cast;
+    run_paths(geometry, [&] {
+      while (next < rays.size()) {
+        const std::size_t first = next;
+        next = std::min(rays.size(), first + 1 + first % 7);
+        for (std::size_t i = first, end = next; i < end; ++i) ask(i);
+      }
+    });
+    CHECK(rays_cast - before == 2 * rays.size());
+
+    const std::vector<std::optional<Hit>> hits_in_turns = hits;
+    const std::vector<char> visible_in_turns = visible;
+    int different = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      ask(i);
+      different += !same_hit(hits[i], hits_in_turns[i]) ||
+                   visible[i] != visible_in_turns[i];
+    }
+    CAPTURE(count);
+    CHECK(different == 0);
+  }
+}
+
+TEST_CASE("a path may take no rays, or many more than the others") {
+  const Geometry geometry = mixed_shapes(3);
+  int starts = 0, rays = 0;
+  run_paths(geometry, [&] {
+    const int path = starts++;
+    for (int i = 0; path == 5 && i < 1000; ++i) {
+      rays += geometry.nearest_hit({{0, 0, 0}, {0, -1, 0}}).has_value();
+    }
+  });
+  if (starts > 5) CHECK(rays == 1000);
+  int again = 0;
+  run_paths(geometry, [&] { ++again; });
+  CHECK(again == starts);
+}
+
+// Path tracers may be written as functions that call themselves.
+TEST_CASE("a path has room for deep recursion") {
+  const Geometry geometry = mixed_shapes(3);
+  struct Recursion {
+    const Geometry& geometry;
+    float sum(int depth) const {
+      volatile float numbers[32] = {};  // what a bounce has to remember
+      if (depth == 0) return 0;
+      const auto hit = geometry.nearest_hit({{0, 0, 0}, {0, -1, 0}});
+      numbers[depth % 32] = hit->distance;
+      return sum(depth - 1) + numbers[depth % 32];
+    }
+  };
+  run_paths(geometry, [&] { CHECK(Recursion{geometry}.sum(1000) > 0); });
+}
