@@ -39,6 +39,8 @@ help:
 	@echo "make bench         measure what everything costs (BASE=old.json compares)"
 	@echo "make bench-peers   time stage 4 and Mitsuba 3 side by side"
 	@echo "make book          weave the book: $(BUILD)/book/index.html"
+	@echo "make slides        set the slides: $(BUILD)/slides/index.html"
+	@echo "make test-site     test the book and the slides, in a browser too"
 	@echo "make setup         install what is missing (SETUP=print only says what)"
 	@echo "make clean         delete $(BUILD)/"
 	@echo "make help          this list"

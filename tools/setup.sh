@@ -6,6 +6,7 @@
 #
 #   setup.sh         what `make` and `make test` need
 #   setup.sh site    what the book needs besides
+#   setup.sh slides  what the slides and the browser tests need besides
 set -eu
 
 debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
@@ -19,6 +20,16 @@ if [ "${1:-}" = site ]; then
   command -v node >/dev/null || debian_packages="$debian_packages nodejs"
   command -v npm >/dev/null || debian_packages="$debian_packages npm"
   brew_packages="node python"
+elif [ "${1:-}" = slides ]; then
+  # Any Chromium or Chrome will do, wherever it comes from.
+  for browser in chromium google-chrome chromium-browser; do
+    if command -v $browser >/dev/null; then exit 0; fi
+  done
+  for browser in Chromium "Google Chrome"; do
+    if [ -d "/Applications/$browser.app" ]; then exit 0; fi
+  done
+  debian_packages="chromium fonts-dejavu-core"
+  brew_packages=chromium
 fi
 
 # run COMMAND: prints it, and runs it unless SETUP=print.
@@ -57,7 +68,7 @@ setup: this system has neither apt-get nor Homebrew. Please install:
   a C++20 compiler, CMake 3.22 or newer, Ninja (optional), GLM, OpenImageIO,
   Boost.Context (optional),
   CLI11, toml++ 3, doctest, Google Benchmark, Python 3.11 with jsonschema;
-  for the book Node 20 with npm.
+  for the book Node 20 with npm, for the slides also Chromium or Chrome.
   With vcpkg: `vcpkg install` in this folder reads vcpkg.json.
 TEXT
     exit 1

@@ -1,11 +1,14 @@
-# The book. `make setup-site` installs what it needs beyond a compiler; what
-# comes from PyPI and npm goes under $(BUILD).
+# The book and the slides. `make setup-site` installs what they need beyond a
+# compiler; what comes from PyPI and npm goes under $(BUILD).
 site_python := $(BUILD)/venv/bin/python
 
-.PHONY: setup-site book
+.PHONY: setup-site setup-slides book slides test-site
 
 setup-site: setup
 	@tools/setup.sh site
+
+setup-slides: setup
+	@tools/setup.sh slides
 
 $(BUILD)/venv/made: tools/book/requirements.txt | setup-site
 	@python3 -m venv $(BUILD)/venv
@@ -20,3 +23,14 @@ $(BUILD)/node/made: tools/book/package.json | setup-site
 
 book: build $(BUILD)/venv/made $(BUILD)/node/made
 	@$(site_python) tools/book/build.py $(BUILD)
+
+slides: build setup-slides $(BUILD)/venv/made $(BUILD)/node/made
+	@$(site_python) tools/slides/build.py $(BUILD)
+
+# What stops a build is tested on copies of the sources, what was built in a
+# browser.
+test-site: book slides
+	@LIGHTWALK_BUILD=$(abspath $(BUILD)) $(site_python) -m unittest discover \
+	  -s tests/site
+	@LIGHTWALK_BUILD=$(abspath $(BUILD)) node --test --test-reporter=spec \
+	  tests/site/*.test.cjs

@@ -51,7 +51,11 @@ inline Vec3 evaluate(const Material& material) {
 //
 // There are infinitely many directions $\omega_i$, and only rays can tell
 // what arrives from one. Monte Carlo's answer: take $N$ random ones with a
-// density $p$, and average
+// density $p$, and average. Over one variable (slide "Approximating one
+// integral") and over directions it is the same estimator:
+//
+// $$\int_a^b f(x)\,dx \approx
+// \frac{1}{N} \sum_{i=1}^N \frac{f(x_i)}{p(x_i)}$$
 //
 // $$\int_\Omega f(\omega)\,d\omega \approx
 // \frac{1}{N} \sum_{i=1}^N \frac{f(\omega_i)}{p(\omega_i)}$$
@@ -67,12 +71,13 @@ inline Vec3 evaluate(const Material& material) {
 //
 // The hemisphere has $2\pi$ steradians, so $p(\omega) = 1/2\pi$. The slide
 // writes densities in the two angles, $p(\theta) = \sin\theta$ and
-// $p(\phi) = 1/2\pi$; their product is $\sin\theta/2\pi$ because
+// $p(\phi) = \frac{1}{2\pi}$; their product is $\sin\theta/2\pi$ because
 // $d\omega = \sin\theta\,d\theta\,d\phi$: there is more hemisphere near its
 // rim than around its pole. To draw $\theta$, invert its distribution
 // $\int_0^\theta \sin t\,dt = 1 - \cos\theta = \xi$. As $1 - \xi$ is as
 // uniform as $\xi$, the slide has $\theta = \arccos\xi$. So $\cos\theta$
-// is $\xi$ itself, and no arccosine is ever computed.
+// is $\xi$ itself, and no arccosine is ever computed. The other angle is
+// uniform, $\phi = 2\pi\xi$, with a $\xi$ of its own.
 //
 // Drawing $\theta$ uniformly from $[0, \pi/2]$ would look nearly right, and
 // would be wrong: too many directions crowd about the pole.
@@ -122,8 +127,17 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 
 // ## Remember to simplify
 //
-// What a bounce is worth is the term of the sum, $f_r \cos\theta / p$.
-// Written out for both densities (slide "Sampling directions"):
+// What a bounce is worth is the term of the sum. The slide writes it in
+// angles, where a $\sin\theta_i$ stands above and below, for uniform and for
+// cosine sampling:
+//
+// $$\frac{2\pi L_i f_r \cos\theta_i \sin\theta_i}{\sin\theta_i}
+// \qquad
+// \frac{2\pi L_i f_r \cos\theta_i \sin\theta_i}
+// {2 \sin\theta_i \cos\theta_i}$$
+//
+// Per solid angle the factor of $L_i$ is $f_r \cos\theta / p$, and then much
+// cancels (slide "Sampling directions"):
 //
 // $$\text{uniform:}\quad \frac{k_d}{\pi}\,\cos\theta\,2\pi
 // = 2 k_d \cos\theta \qquad

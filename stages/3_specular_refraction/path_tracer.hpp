@@ -31,10 +31,16 @@ using stage2::is_sampled;
 // shows things as bright as they are, at the rim as in the middle. Multiply
 // by a cosine all the same, and mirror balls get dark rims.
 //
+// So the product that the equation integrates, on a diffuse surface a smooth
+// $f_r\,|n \cdot \omega_i| = \frac{k_d}{\pi}\,|n \cdot \omega_i|$, is all or
+// nothing here: $f_r\,|n \cdot \omega_i| = 1$, as the weight of the spike,
+// for the one direction, and $f_r\,|n \cdot \omega_i| = 0$ for any other.
+//
 // Monte Carlo has nothing to do here. A random direction hits the spike
 // with probability 0, so cosine sampling would render mirrors black. The only
-// direction that counts is known: take it, with the probability 1. Then
-// $f_r \cos\theta / p$ is the coefficient $k_s$, and that is all.
+// direction that counts is known: take it, with the probability
+// $p(\omega_r) = 1$. Then $f_r \cos\theta / p$ is the coefficient $k_s$, and
+// that is all.
 //
 // ## Reflection
 //
@@ -50,6 +56,13 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 // #endregion reflect
 
 // ## Refraction
+//
+// Glass lets light through, into one direction $\omega_t$ on the other side:
+// a spike again, and again it is taken with the probability
+// $p(\omega_t) = 1$:
+//
+// $$f_r(x, \omega_i, \omega_o) =
+// \frac{\delta_{\omega_t}(\omega_i)}{\omega_i \cdot n}$$
 //
 // Light goes slower in glass, by the index of refraction $\eta$, and so it
 // bends where it enters. With $\eta_o$ on the side of $\omega_o$ and $\eta_i$
@@ -115,6 +128,10 @@ inline float relative_eta(const Hit& hit, const Vec3& wo) {
 // + k_t\,\frac{\delta_{\omega_t}(\omega_i)}{n \cdot \omega_i},
 // \qquad k_d + k_s + k_t \le 1$$
 //
+// The slide's fourth coefficient is the emission $k_e$, which is the
+// $L_e(x, \omega_o)$ of the rendering equation; where $k_e > 0$ the other
+// three are 0.
+//
 // Each of the three lobes has its own way to draw a direction. `evaluate`
 // stays as it was, $k_d/\pi$: for a direction that was chosen without regard
 // to the spikes, such as one to a light, they are 0.
@@ -169,8 +186,9 @@ inline BsdfSample sample(Lobe lobe, const Material& material,
 //
 // ## Which way to go on
 //
-// Plastic is diffuse and specular. Follow only one lobe, and the other's
-// light is missing. So follow both: one ray for each lobe that has a
+// A matt wall has $k_d > 0$, a mirror $k_s > 0$, and plastic $k_d, k_s > 0$:
+// it is both (slide "Combining coefficients"). Follow only one lobe, and the
+// other's light is missing. So follow both: one ray for each lobe that has a
 // coefficient. The path becomes a tree, and the loop keeps the branches that
 // are still to be followed on a stack.
 //

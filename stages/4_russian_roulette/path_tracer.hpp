@@ -32,8 +32,9 @@ using stage3::sample;
 //
 // ## Four events
 //
-// At each hit one random number $\xi$ picks an event from a bar of length 1
-// (slides "Russian Roulette: probabilities" and "Path termination"):
+// At each hit one random number $\xi_{RR} \in [0, 1)$ picks an event from a
+// bar of length 1 (slides "Russian Roulette: probabilities" and "Path
+// termination"):
 //
 //     0        p_d          p_d + p_s      p_d + p_s + p_t       1
 //     |diffuse |  specular  |  refraction  |     absorption      |
@@ -41,6 +42,10 @@ using stage3::sample;
 // What is left of the bar is the fourth event: the light is absorbed and the
 // path ends, with probability $1 - (p_d + p_s + p_t)$. A dark wall ends most
 // paths, and rightly: what they would bring is multiplied by almost nothing.
+// Each of the others is divided by its probability: a path that goes on by
+// the diffuse event counts $k_d\,\frac{1}{\pi} \cdot \frac{1}{p_d}$, one by
+// the specular $k_s\,\frac{\delta_{\omega_r}(\omega_i)}{n \cdot \omega_i}
+// \cdot \frac{1}{p_s}$.
 //
 // Which probabilities? Any, as long as no lobe with a coefficient has 0. The
 // less the weight $k/p$ varies the less noise there is, so take $p$ as large

@@ -1,17 +1,23 @@
 """Builds the book: weaves the headers, adds the pages, calls Sphinx.
 
-    build.py BUILD      BUILD/book is the site, BUILD/book-source what it is of
+    build.py BUILD          BUILD/book is the site, BUILD/book-source its source
+    build.py BUILD --check  weaves and checks the source, and stops there
 """
 
+import contextlib
+import io
 import os
+import re
 import shutil
 import sys
 from pathlib import Path
 
 from check_names import check_names
 from figures import Figures
+from formulas import check_formulas, formulas, formulas_of_header
 from literate import ROOT, BookError, stage_headers
 from mistakes import mistakes_page
+from offline import check_offline
 from symbols import symbols_page
 from weave import title_of, weave
 
@@ -71,6 +77,32 @@ def front_page(figures, with_mistakes):
     return lines
 
 
+def check_every_formula(build, figures):
+    headers = stage_headers() + core_headers()
+    found = [f for header in headers for f in formulas_of_header(header)]
+    for page in sorted(PAGES.glob("*.md")):
+        found += formulas(page.read_text(), page.relative_to(ROOT))
+    found += formulas("\n".join(symbols_page()), "symbols.toml")
+    for name, entry in figures.entries.items():
+        found += formulas(entry["caption"], f"figures.toml, {name}")
+    check_formulas(found, build)
+
+
+def run_sphinx(build, source):
+    """Sphinx's first warning is an error."""
+    from sphinx.cmd.build import main as sphinx
+    said = io.StringIO()
+    with contextlib.redirect_stderr(said):
+        failed = sphinx(["-W", "--keep-going", "-q", "-E",
+                         "-c", str(Path(__file__).parent),
+                         "-d", str(build / "book-doctrees"),
+                         str(source), str(build / "book")])
+    if failed:
+        text = re.sub(r"\x1b\[[\d;]*m", "", said.getvalue())
+        lines = [x for x in text.split("\n") if re.search("WARN|ERR|Exc", x)]
+        raise BookError((lines or [text.strip()])[0].replace(f"{build}/", ""))
+
+
 def main():
     build = Path(sys.argv[1]).resolve()
     source, static = build / "book-source", build / "book-static"
@@ -83,15 +115,12 @@ def main():
         shutil.copy(Path(__file__).parent / name, static)
     figures = Figures(build, source / "figures")
     write_source(source, figures)
-
+    check_every_formula(build, figures)
+    if "--check" in sys.argv[2:]:
+        return
     os.environ["BOOK_STATIC"] = str(static)
-    from sphinx.cmd.build import main as sphinx
-    failed = sphinx(["-W", "--keep-going", "-q", "-E",
-                     "-c", str(Path(__file__).parent),
-                     "-d", str(build / "book-doctrees"),
-                     str(source), str(build / "book")])
-    if failed:
-        raise BookError("Sphinx has warned; see above")
+    run_sphinx(build, source)
+    check_offline(build / "book")
     print(f"The book is {build}/book/index.html")
 
 

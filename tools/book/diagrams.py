@@ -131,7 +131,7 @@ def next_event(_):
     yield text(250, 62, "light", WARM)
     a = (170, 270)
     yield line(30, 190, a[0], a[1], INK, 2.2, True)
-    yield text(46, 182, "from the camera", SOFT, "start", size=13)
+    yield text(40, 182, "camera", SOFT, "start", size=13)
     yield line(*a, 130, 30, INK, 2.2, True)
     yield line(130, 30, 440, 270, INK, 2.2, True, "")
     yield line(*a, 248, 87, GREEN, 1.6, False, "6 4")
@@ -140,7 +140,7 @@ def next_event(_):
     yield line(354, 184, 256, 87, SOFT, 1, False, "2 4")
     yield text(190, 190, "lit", GREEN, "end")
     yield text(196, 46, "lit", GREEN)
-    yield text(424, 232, "in shadow", WARM, "start", size=13)
+    yield text(416, 222, "in shadow", WARM, "start", size=12)
     for number, (x, y) in enumerate((a, (130, 30), (440, 270)), 1):
         yield circle(x, y, 4.5)
     yield text(a[0], a[1] + 20, "1")
@@ -179,19 +179,21 @@ def snell(_):
                'fill="#d9e4ef"/>')
         yield line(x - 75, y, x + 75, y, COOL, 2)
         yield line(x, y - 92, x, y + 108, SOFT, 1, False, "4 4")
-        yield line(x, y, *polar(x, y, 180 + angle, 116), COOL, 2, True)
+        length = min(116, 74 / math.sin(math.radians(angle)))
+        yield line(x, y, *polar(x, y, 180 + angle, length), COOL, 2, True)
         sine = 1.5 * math.sin(math.radians(angle))
         yield line(x, y, *polar(x, y, 180 - angle, 100), SOFT, 1.2, True) \
             if sine < 1 else \
-            line(x, y, *polar(x, y, 180 - angle, 112), WARM, 2.2, True)
+            line(x, y, *polar(x, y, 180 - angle, length), WARM, 2.2, True)
         if sine < 1.0005:
             out = math.degrees(math.asin(min(sine, 1)))
             yield ray(x, y, out if out < 89 else 90, 80, WARM)
-            yield text(*polar(x + 6, y + 16 if out > 89 else y,
-                              min(out, 84), 88), "w_i", WARM)
+            yield text(*polar(x + 6, y - 10 if out > 89 else y,
+                              min(out, 84), 64 if out > 89 else 88),
+                       "w_i", WARM)
         else:
             yield text(x + 36, y - 40, "none", WARM)
-        yield text(*polar(x - 16, y + 4, 180 + angle, 104), "w_o", COOL)
+        yield text(*polar(x - 12, y - 6, 180 + angle, length - 34), "w_o", COOL)
         yield text(x, 24, f"{angle:.1f}°")
         yield circle(x, y, 3)
     yield text(22, 112, "air, η = 1", SOFT, "start", size=12)
@@ -209,23 +211,51 @@ def bar(y, parts, end):
     yield line(30 + 440 * end, y - 8, 30 + 440 * end, y + 48, INK, 1.5)
 
 
+def events(y, last="absorbed"):
+    yield from bar(y, (("diffuse p_d", .4, WARM),
+                       ("specular p_s", .25, COOL),
+                       ("refraction p_t", .2, GREEN),
+                       (last, .15, "#444")), 1)
+    yield text(30, y + 60, "0", anchor="middle")
+    yield text(470, y + 60, "1", anchor="middle")
+
+
+def overfull(y):
+    scale = 1 / 1.8
+    yield from bar(y, (("red k_d: 0.9", .9 * scale, "#b03030"),
+                       ("green k_s: 0.9", .9 * scale, GREEN)), scale)
+    yield text(30, y + 60, "0")
+    yield text(30 + 440 * scale, y + 60, "1: ξ never comes here",
+               anchor="start", size=14)
+    yield text(470, y - 10, "1.8", SOFT)
+
+
+def random_number(y):
+    yield line(30 + 440 * .52, y - 30, 30 + 440 * .52, y - 2, INK, 2, True)
+    yield text(30 + 440 * .52, y - 34, "ξ = 0.52", size=13)
+
+
 @diagram("event-bar", 520, 250)
 def event_bar(_):
-    yield from bar(50, (("diffuse p_d", .4, WARM),
-                        ("specular p_s", .25, COOL),
-                        ("refraction p_t", .2, GREEN),
-                        ("absorbed", .15, "#444")), 1)
-    yield text(30, 110, "0", anchor="middle")
-    yield text(470, 110, "1", anchor="middle")
-    yield line(30 + 440 * .52, 20, 30 + 440 * .52, 48, INK, 2, True)
-    yield text(30 + 440 * .52, 16, "ξ = 0.52", size=13)
-    scale = 440 / 1.8 / 440
-    yield from bar(170, (("red k_d: 0.9", .9 * scale, "#b03030"),
-                         ("green k_s: 0.9", .9 * scale, GREEN)), scale)
-    yield text(30, 230, "0")
-    yield text(30 + 440 * scale, 230, "1: ξ never comes here", anchor="start",
-               size=14)
-    yield text(470, 160, "1.8", SOFT)
+    yield from events(50)
+    yield from random_number(50)
+    yield from overfull(170)
+
+
+@diagram("events", 500, 120)
+def event_bar_alone(_):
+    yield from events(50)
+    yield from random_number(50)
+
+
+@diagram("events-open", 500, 80)
+def event_bar_open(_):
+    yield from events(12, "?")
+
+
+@diagram("overfull-bar", 500, 90)
+def overfull_bar(_):
+    yield from overfull(25)
 
 
 def axes(x, y, width, height):

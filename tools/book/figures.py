@@ -16,6 +16,7 @@ import tomllib
 from pathlib import Path
 
 import diagrams
+import diagrams_of_paths  # noqa: F401, registers its own
 from literate import ROOT, BookError
 
 HERE = Path(__file__).parent

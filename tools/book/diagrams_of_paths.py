@@ -1,0 +1,160 @@
+"""Diagrams of light at surfaces and of paths, most of them for the slides."""
+
+import math
+
+from diagrams import (COOL, GREEN, INK, SOFT, WARM, arc, circle, curve,
+                      diagram, line, polar, ray, text)
+
+
+def surface(x, y, half):
+    yield line(x - half, y, x + half, y, INK, 2.2)
+    yield line(x, y, x, y - 112, SOFT, 1, False, "4 4")
+
+
+def lobe(x, y, name):
+    yield from surface(x, y, 90)
+    yield ray(x, y, -42, 96, COOL)
+    yield text(*polar(x - 10, y - 2, -42, 106), "w_o", COOL)
+    if name == "diffuse":
+        for angle in (-64, -20, 0, 22, 44, 66):
+            yield ray(x, y, angle, 70, WARM, 1.6)
+    elif name == "specular":
+        yield ray(x, y, 42, 96, WARM, 2.4)
+        yield text(*polar(x + 12, y - 2, 42, 106), "w_r", WARM)
+    else:
+        yield ray(x, y, 180 - 26.5, 76, WARM, 2.4)
+        yield text(*polar(x + 20, y + 4, 180 - 26.5, 72), "w_t", WARM, "start")
+
+
+@diagram("diffuse-lobe", 220, 150)
+def diffuse_lobe(_):
+    yield from lobe(110, 130, "diffuse")
+
+
+@diagram("specular-lobe", 220, 150)
+def specular_lobe(_):
+    yield from lobe(110, 130, "specular")
+
+
+@diagram("refraction-lobe", 220, 220)
+def refraction_lobe(_):
+    yield from lobe(110, 130, "refraction")
+
+
+def mirror(x, y, at_surface):
+    yield line(x - 115, y, x + 115, y, INK, 2.2)
+    yield ray(x, y, 0, 140, INK)
+    yield text(x + 13, y - 130, "n", style="italic")
+    yield ray(x, y, 48, 124, WARM, 2.4)
+    yield text(*polar(x + 14, y, 48, 132), "w_r", WARM)
+    yield arc(x, y, 0, 48, 40)
+    yield arc(x, y, -48, 0, 40)
+    tip = polar(x, y, -48, 124)
+    if at_surface:
+        yield line(*tip, *polar(x, y, -48, 5), COOL, 2.4, True)
+    else:
+        yield ray(x, y, -48, 124, COOL, 2.4)
+    yield text(tip[0] - 14, tip[1] + 2, "w_o", COOL)
+
+
+@diagram("mirror-directions", 540, 250)
+def mirror_directions(_):
+    for x, name in ((135, "on the slide"), (405, "in the code")):
+        yield from mirror(x, 180, x < 200)
+        yield text(x, 232, name)
+
+
+@diagram("mirror", 280, 190)
+def mirror_of_the_slide(_):
+    yield from mirror(140, 170, True)
+
+
+@diagram("one-path", 560, 300)
+def one_path(_):
+    yield f'<path d="M40 30 H530 V270 H40" fill="none" stroke="{INK}" ' \
+          'stroke-width="2.4"/>'
+    yield line(220, 30, 360, 30, WARM, 7)
+    yield text(290, 20, "lamp", WARM)
+    points = [(40, 160), (250, 270), (530, 140), (150, 30), (180, 270),
+              (300, 30)]
+    for number, (a, b) in enumerate(zip(points, points[1:])):
+        yield line(*a, *b, COOL, 2, True)
+        if 0 < number:
+            yield circle(*a, 5)
+            yield text(a[0] + (18 if a[0] < 500 else -16),
+                       a[1] + (20 if a[1] < 200 else -10), str(number), size=14)
+    yield text(50, 146, "camera", SOFT, "start", size=14)
+    yield text(316, 52, "its emission, times the product", WARM, "start",
+               size=13)
+    yield text(316, 68, "of the weights", WARM, "start", size=13)
+
+
+def tree(x, y, angle, length, depth):
+    """Branches of a path: two at every end."""
+    end = polar(x, y, angle, length)
+    yield line(x, y, *end, WARM, 0.7 + depth * .35)
+    if depth:
+        spread = 9 + 7 * depth
+        for side in (-spread, spread):
+            yield from tree(*end, angle + side, length * .8, depth - 1)
+    else:
+        yield circle(*end, 2, WARM)
+
+
+@diagram("branching", 600, 300)
+def branching(_):
+    yield from tree(150, 262, 0, 56, 5)
+    yield text(150, 288, "every lobe: 2, 4, 8, 16, 32")
+    x, y = 450, 262
+    for angle, length in ((0, 56), (30, 45), (-14, 38), (16, 32), (-30, 27),
+                          (8, 24)):
+        end = polar(x, y, angle, length)
+        yield line(x, y, *end, COOL, 2.2)
+        x, y = end
+        yield circle(x, y, 3, COOL)
+    yield text(450, 288, "one by lot: 1, 1, 1, 1, 1")
+
+
+@diagram("pinhole", 600, 270)
+def pinhole(_):
+    origin = (60, 150)
+    corners = [(380, 60), (450, 20), (450, 200), (380, 250)]
+    path = " ".join(f"{x},{y}" for x, y in corners)
+    yield f'<polygon points="{path}" fill="#f3e9df" stroke="{SOFT}"/>'
+    center = (415, 133)
+    yield line(*origin, *center, INK, 2, True)
+    yield text(236, 130, "F", style="italic")
+    yield line(*center, 380, 155, WARM, 2, True)
+    yield text(370, 152, "L", WARM, "end", "italic")
+    yield line(*center, 415, 40, GREEN, 2, True)
+    yield text(430, 64, "U", GREEN, style="italic")
+    yield circle(*origin, 5)
+    yield text(60, 176, "O", style="italic")
+    yield line(*origin, 570, 196, COOL, 1.6, True)
+    yield text(572, 214, "a ray", COOL, "end", size=14)
+    yield text(462, 28, "column 0 at L,", SOFT, "start", size=13)
+    yield text(462, 44, "row 0 at U", SOFT, "start", size=13)
+
+
+@diagram("densities", 560, 270)
+def densities(_):
+    """Both densities of theta, and their distributions."""
+    for x0, name, functions in (
+            (40, "density of θ", ((math.sin, WARM),
+                                  (lambda t: math.sin(2 * t), COOL))),
+            (320, "its distribution",
+             ((lambda t: 1 - math.cos(t), WARM),
+              (lambda t: math.sin(t) ** 2, COOL)))):
+        y0, width, height = 215, 200, 165
+        yield line(x0, y0, x0 + width, y0)
+        yield line(x0, y0, x0, y0 - height - 8)
+        for function, colour in functions:
+            yield curve([(x0 + width * i / 60,
+                          y0 - height * function(math.pi / 2 * i / 60))
+                         for i in range(61)], colour, 2.4)
+        yield text(x0 + width, y0 + 18, "90°", SOFT, size=13)
+        yield text(x0 - 7, y0 - height + 5, "1", SOFT, "end", size=13)
+        yield text(x0 - 7, y0 + 5, "0", SOFT, "end", size=13)
+        yield text(x0 + width / 2, 24, name)
+    yield text(200, 256, "uniform", WARM)
+    yield text(360, 256, "cosine", COOL)
