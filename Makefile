@@ -101,11 +101,15 @@ signatures: setup $(BUILD)/CMakeCache.txt
 
 # Repetitions, since times scatter: BASE names an earlier bench.json.
 BENCH_ARGS ?= --benchmark_repetitions=5 --benchmark_min_time=0.1
-bench: setup $(BUILD)/CMakeCache.txt
+bench: build
 	@cmake --build $(BUILD) -j $(JOBS) --target benchmarks
 	@$(BUILD)/benchmarks $(BENCH_ARGS) --benchmark_out_format=json \
 	  --benchmark_out=$(BUILD)/bench.json > /dev/null
+	@tools/compare_benchmarks.py $(BUILD)/bench.json > $(BUILD)/bench.md
 	@tools/compare_benchmarks.py $(BUILD)/bench.json $(BASE)
+	@tools/efficiency.py --build $(BUILD) --chart $(BUILD)/convergence.svg \
+	  > $(BUILD)/efficiency.md
+	@cat $(BUILD)/efficiency.md
 
 # Mitsuba 3 in an environment of its own, side by side with stage 4. LLVM is
 # the system's: `apt-get install libllvm19` where Debian 12 has it, and

@@ -4,10 +4,11 @@
     signatures.py [--stage N] [-j JOBS] [--build build]
 
 A mistake that a golden image catches leaves its signature, the means and
-variances of tiles, in tests/golden/signatures/stageN_scene.txt: a failing golden is compared with them, and names those that
-it cannot be told from. Then every such mistake is rendered again with another
-seed, and its diagnosis noted in build/signatures/confusion.md: which is named
-first, and is it the right one?
+variances of tiles, in tests/golden/signatures/stageN_scene.txt: a failing
+golden is compared with them, and names those that it cannot be told from. Then
+every such mistake is rendered again with another seed, and its diagnosis noted
+in build/signatures/confusion.md: which is named first, and is it the right
+one? The reports and pictures of that stay in build/signatures/, for the book.
 """
 
 import argparse
@@ -145,6 +146,8 @@ def main():
     reports = in_parallel(
         options.jobs, lambda row: run_goldens(row[1], build, 77), rows
     )
+    for (_, program), report in zip(rows, reports):
+        (program.parent / "report.txt").write_text(report)
     table = confusion(rows, reports)
     (folder / "confusion.md").write_text(table)
     print(table.splitlines()[-1])

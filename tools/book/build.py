@@ -16,6 +16,7 @@ from check_names import check_names
 from figures import Figures
 from formulas import check_formulas, formulas, formulas_of_header
 from literate import ROOT, BookError, stage_headers
+from measurements import measurements_page
 from mistakes import mistakes_page
 from offline import check_offline
 from symbols import symbols_page
@@ -43,7 +44,7 @@ def write(path, lines):
     path.write_text("\n".join(lines) + "\n")
 
 
-def write_source(source, figures):
+def write_source(build, source, figures):
     for header in stage_headers():
         check_names(header)
         name = header.parent.name
@@ -58,7 +59,8 @@ def write_source(source, figures):
     for page in PAGES.glob("*.md"):
         write(source / page.name, figures.filled(page.read_text()).split("\n"))
     write(source / "symbols.md", symbols_page())
-    mistakes = mistakes_page()
+    write(source / "measurements.md", measurements_page(build, source))
+    mistakes = mistakes_page(build, source)
     if mistakes:
         write(source / "mistakes.md", mistakes)
     write(source / "index.md", front_page(figures, bool(mistakes)))
@@ -68,7 +70,8 @@ def front_page(figures, with_mistakes):
     text = figures.filled((PAGES / "index.md").read_text())
     chapters = [f"stages/{p.parent.name}" for p in stage_headers()]
     core = [f"core/{name}" for name in CORE]
-    rest = ["symbols", "further_reading"] + ["mistakes"] * with_mistakes
+    rest = ["symbols", "measurements", "further_reading"]
+    rest += ["mistakes"] * with_mistakes
     lines = text.split("\n")
     for caption, pages in (("The stages", chapters), ("Beside them", rest),
                            ("The core", core)):
@@ -114,7 +117,7 @@ def main():
     for name in ("book.css", "keys.js"):
         shutil.copy(Path(__file__).parent / name, static)
     figures = Figures(build, source / "figures")
-    write_source(source, figures)
+    write_source(build, source, figures)
     check_every_formula(build, figures)
     if "--check" in sys.argv[2:]:
         return
