@@ -162,6 +162,9 @@ TEST_CASE("a picture of three columns repeats to the left as to the right") {
     check_colour(image_colour(texture, {u, 0.5f}, false),
                  columns[(i + 6) % 3]);
   }
+  for (const float u : {-2.0f, -1.0f, 0.0f, 1.0f}) {
+    check_colour(image_colour(texture, {u, 0.5f}, false), {0.5f, 0, 0.5f});
+  }
 }
 
 TEST_CASE("the poles of a globe do not mix") {
