@@ -67,7 +67,8 @@ constexpr std::pair<int, int> sizes[] = {{1, 1},   {7, 5},  {8, 8}, {9, 17},
 
 // The reference is made here without tiles, passes or threads.
 TEST_CASE("a render is each pixel's samples in order, whatever its size") {
-  for (const auto& [width, height] : sizes) {
+  for (const auto& size : sizes) {
+    const int width = size.first, height = size.second;
     Film expected(width, height);
     Camera camera;
     camera.width = width;
@@ -88,7 +89,8 @@ TEST_CASE("a render is each pixel's samples in order, whatever its size") {
 }
 
 TEST_CASE("any number of threads gives the same bits") {
-  for (const auto& [width, height] : sizes) {
+  for (const auto& size : sizes) {
+    const int width = size.first, height = size.second;
     const Film one = rendered(width, height, 9, 1);
     for (const int threads : {0, 2, 7}) {
       CAPTURE(width);
