@@ -132,11 +132,13 @@ TEST_CASE("a lobe of one colour is followed") {
 
 // Water and diamond: 1.33^2 and 2.42^2 inside, and nothing outside.
 TEST_CASE("each material has its own eta") {
-  for (const auto& [eta, inside] :
+  for (const auto& one :
        {std::pair("1.33", 1.7689), std::pair("2.42", 5.8564)}) {
+    const std::string eta = one.first;
+    const double inside = one.second;
     CAPTURE(eta);
-    const Scene scene = in_white_room(
-        std::string("{ kt = 1, eta = ") + eta + " }", ball("thing"));
+    const Scene scene =
+        in_white_room("{ kt = 1, eta = " + eta + " }", ball("thing"));
     const PathTracer tracer(scene, bounces(1));
     Random random(1, 0, 0);
     CHECK(tracer.radiance({{0.1f, 0, 0}, {0, 0, 1}}, random).x ==
