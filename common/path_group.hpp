@@ -21,20 +21,9 @@
 
 #include <functional>
 
+#include "common/compiler.hpp"
 #include "common/geometry.hpp"
 #include "common/ray_packet.hpp"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define LIGHTWALK_SANITIZED  // these keep watch over one stack per thread
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define LIGHTWALK_SANITIZED
-#endif
-#endif
-#if defined(LIGHTWALK_BOOST_CONTEXT) && defined(NDEBUG) && \
-    !defined(LIGHTWALK_SANITIZED)
-#define LIGHTWALK_FIBERS
-#endif
 
 #ifdef LIGHTWALK_FIBERS
 #include <array>

@@ -3,6 +3,11 @@
 import shutil
 
 
+def table(path):
+    return [line for line in path.read_text().split("\n")
+            if line.startswith("|")]
+
+
 def measurements_page(build, source):
     """The page's lines; how to measure, where nobody has yet."""
     page = ["# Speed and convergence", "",
@@ -18,10 +23,10 @@ def measurements_page(build, source):
                 "`make bench`, and then `make book` again.", ""]
     (source / "figures").mkdir(parents=True, exist_ok=True)
     shutil.copy(chart, source / "figures/convergence.svg")
-    return [*page, efficiency.read_text(),
+    return [*page, *table(efficiency), "",
             "![Noise against time for each estimator]"
             "(figures/convergence.svg)", "",
             "All lines fall with slope -1/2: half the noise costs four times "
             "the time, whichever estimator it is. The lower line is the "
             "better one.", "",
-            "## What everything costs", "", bench.read_text()]
+            "## What everything costs", "", *table(bench), ""]
