@@ -4,10 +4,16 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -47,8 +53,11 @@ class BriefReporter : public doctest::IReporter {
     current_ = {};
     current_.test = test.m_name;
     current_.golden = std::string(test.m_test_suite) == "golden images";
+    name_ = test.m_name;
+    began_ = std::clock();
   }
   void test_case_end(const doctest::CurrentTestCaseStats&) override {
+    name_ = nullptr;
     if (current_.checks > 0) failures_.push_back(current_);
     current_.checks = 0;
   }
@@ -103,7 +112,7 @@ class BriefReporter : public doctest::IReporter {
   }
 
   void report_query(const doctest::QueryData&) override {}
-  void test_run_start() override {}
+  void test_run_start() override { std::thread(watch).detach(); }
   void test_case_reenter(const doctest::TestCaseData&) override {}
   void subcase_start(const doctest::SubcaseSignature&) override {}
   void subcase_end() override {}
@@ -111,6 +120,28 @@ class BriefReporter : public doctest::IReporter {
 
  private:
   static constexpr std::size_t most_named = 8;
+
+  /// Processor time, so that a busy machine stops nobody. No right stage's
+  /// test takes a fortieth of it.
+  static constexpr int most_seconds = 120;
+
+  /// Ends the program when a test does not end, and says which.
+  static void watch() {
+    for (;;) {
+      std::this_thread::sleep_for(std::chrono::seconds(1));
+      const char* const name = name_;
+      if (!name || std::clock() - began_ < most_seconds * CLOCKS_PER_SEC) {
+        continue;
+      }
+      std::printf(
+          "a test does not end: %s\n"
+          "    stopped after %d seconds of processor time; is there a "
+          "path without an end?\n",
+          name, most_seconds);
+      std::fflush(stdout);
+      std::_Exit(1);
+    }
+  }
 
   void add(const std::string& says) {
     if (current_.checks++ == 0) current_.says = says;
@@ -137,6 +168,9 @@ class BriefReporter : public doctest::IReporter {
       out_ << "    (and " << failure.checks - 1 << " more in this test)\n";
     }
   }
+
+  inline static std::atomic<const char*> name_{nullptr};
+  inline static std::atomic<std::clock_t> began_{0};
 
   const doctest::ContextOptions& options_;
   std::ostream& out_;
