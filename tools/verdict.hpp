@@ -50,22 +50,14 @@ inline std::string amount_of(double test, double reference) {
   return text;
 }
 
-/// The differing region with the largest z; tiles before the whole image.
+/// The region with the largest z, but for one that is left out; null where
+/// there is no other.
 inline const RegionDifference* worst_of(
-    const std::vector<RegionDifference>& differing) {
+    const std::vector<RegionDifference>& differing,
+    const Region& left_out = {}) {
   const RegionDifference* worst = nullptr;
   for (const RegionDifference& one : differing) {
-    if (!worst || !(one.z <= worst->z)) worst = &one;
-  }
-  return worst;
-}
-
-/// The differing tile that is off by the largest share, if there is a tile.
-inline const RegionDifference* worst_tile(
-    const std::vector<RegionDifference>& differing, const Region& image) {
-  const RegionDifference* worst = nullptr;
-  for (const RegionDifference& one : differing) {
-    if (one.region == image) continue;
+    if (one.region == left_out) continue;
     if (!worst || !(one.z <= worst->z)) worst = &one;
   }
   return worst;
@@ -118,7 +110,7 @@ inline std::string describe(const std::vector<RegionDifference>& all,
     reference += all[static_cast<std::size_t>(channel)].reference;
   }
   const Region image = all[0].region;
-  const RegionDifference* tile = worst_tile(differing, image);
+  const RegionDifference* tile = worst_of(differing, image);
   std::string text = amount_of(test, reference) + " over the whole image";
   if (std::abs(test / reference - 1) < bands.image) {
     text = "right in the mean over the whole image";

@@ -29,12 +29,6 @@ struct Packet : RayPacket {
   }
 };
 
-Vec3 position(Random& random, float reach) {
-  const Vec2 xy = random.uniform_2d();
-  const float z = random.uniform();
-  return reach * (2.0f * Vec3(xy.x, xy.y, z) - 1.0f);
-}
-
 /// `count` shapes of each type but planes, of which there are two.
 Geometry mixed_shapes(int count) {
   Geometry geometry;
@@ -42,9 +36,9 @@ Geometry mixed_shapes(int count) {
   geometry.add(Plane{{0, 1, 0}, 3, &material});
   geometry.add(Plane{{1, 0, 0}, 3, &material});
   for (int i = 0; i < count; ++i) {
-    const Vec3 place = position(random, 2);
-    const Vec3 u = position(random, 1);
-    const Vec3 v = position(random, 1);
+    const Vec3 place = random_position(random, 2);
+    const Vec3 u = random_position(random, 1);
+    const Vec3 v = random_position(random, 1);
     geometry.add(Sphere{place, 0.5f, &material});
     geometry.add(Rectangle{place + u, u, v, &material});
     geometry.add(Triangle{place - v, u, v, &material});
@@ -54,7 +48,7 @@ Geometry mixed_shapes(int count) {
 }
 
 Ray random_ray(Random& random) {
-  const Vec3 origin = position(random, 3);
+  const Vec3 origin = random_position(random, 3);
   const Vec3 direction = random_direction(random);
   return {origin, direction};
 }

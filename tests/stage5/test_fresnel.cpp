@@ -145,12 +145,7 @@ TEST_CASE("Fresnel glass without a bound: the room's light, in the mean") {
   const Scene scene = in_white_room(
       "{ ks = 1, kt = 1, eta = 1.5, fresnel = true }", ball("thing"));
   const PathTracer tracer(scene, {});
-  Pixel pixel;
-  for (std::uint64_t i = 0; i < 100'000; ++i) {
-    Random random(9, 0, i);
-    const Ray ray = ray_at_thing(random);
-    pixel.add(tracer.radiance(ray, random));
-  }
+  const Pixel pixel = estimate_of_thing(tracer, 100'000, 9);
   CAPTURE(pixel.mean[0]);
   CHECK(std::abs(pixel.mean[0] - 1) <=
         4.4 * std::sqrt(pixel.variance(0) / pixel.samples) + 1e-5);

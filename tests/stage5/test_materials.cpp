@@ -136,12 +136,7 @@ TEST_CASE("a glass ball by Fresnel in a white room is invisible on average") {
   RenderSettings settings;
   settings.max_bounces = 60;
   const PathTracer tracer(scene, settings);
-  Pixel pixel;
-  for (std::uint64_t i = 0; i < 20'000; ++i) {
-    Random random(9, 0, i);
-    const Ray ray = ray_at_thing(random);
-    pixel.add(tracer.radiance(ray, random));
-  }
+  const Pixel pixel = estimate_of_thing(tracer, 20'000, 9);
   CAPTURE(pixel.mean[0]);
   CHECK(std::abs(pixel.mean[0] - 1) <=
         4.4 * std::sqrt(pixel.variance(0) / pixel.samples) + 1e-5);

@@ -112,4 +112,17 @@ inline Ray ray_at_thing(Random& random) {
   return {origin, normalize(target - origin)};
 }
 
+/// The statistics of `samples` samples, each of another ray at the thing.
+template <class PathTracer>
+Pixel estimate_of_thing(const PathTracer& tracer, int samples,
+                        std::uint64_t seed) {
+  Pixel pixel;
+  for (int i = 0; i < samples; ++i) {
+    Random random(seed, 0, static_cast<std::uint64_t>(i));
+    const Ray ray = ray_at_thing(random);
+    pixel.add(tracer.radiance(ray, random));
+  }
+  return pixel;
+}
+
 }  // namespace lightwalk::tests
