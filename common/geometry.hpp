@@ -12,15 +12,16 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "common/compiler.hpp"
 #include "common/flat.hpp"
+#include "common/path_group.hpp"
 #include "common/plane.hpp"
 #include "common/ray.hpp"
 #include "common/ray_count.hpp"
-#include "common/ray_packet.hpp"
 #include "common/shape_list.hpp"
 #include "common/sphere.hpp"
 
@@ -57,7 +58,7 @@ class Geometry {
   /// The first surface that the ray meets, if there is one.
   std::optional<Hit> nearest_hit(const Ray& ray) const {
     ++rays_cast;
-    return hit_at(ray, ray_packet ? ray_packet->meet(ray) : meet(ray));
+    return hit_at(ray, path_group ? path_group->meet(ray) : meet(ray));
   }
 
   /// Whether nothing lies between two points, neither of them on a surface.
@@ -65,15 +66,20 @@ class Geometry {
     ++rays_cast;
     const Vec3 way = to - from;
     const float distance = length(way);
-    const Ray ray{from, way / distance};
-    if (ray_packet) return !(ray_packet->meet(ray).distance < distance);
+    const Ray ray{from, way * (1 / distance)};
+    if (path_group) return !(path_group->meet(ray).distance < distance);
     return !blocked(ray, distance);
   }
 
-  /// Whether the shapes are few enough for every ray to meet every shape.
-  bool suits_packets() const {
-    return spheres_.tree().empty() && rectangles_.tree().empty() &&
-           triangles_.tree().empty();
+  /// Runs `work`, which follows paths until none is left. Where the shapes are
+  /// so few that every ray meets every shape, it is run sixteen times, in
+  /// turns; otherwise once.
+  void follow_paths(const std::function<void()>& work) const {
+    if (!spheres_.tree().empty() || !rectangles_.tree().empty() ||
+        !triangles_.tree().empty()) {
+      return work();
+    }
+    run_in_turns(work, [this](RayPacket& packet) { meet(packet); });
   }
 
   // #region meet-packet

@@ -31,41 +31,23 @@ struct FirstShape {
   std::int32_t place;  ///< the shape's, as Geometry counts them
 };
 
-/// The rays of sixteen paths, eight to a row, and what they meet.
-class RayPacket {
- public:
-  static constexpr unsigned row_count = 2;
-  static constexpr unsigned size = row_count * lane_count;
+/// Sixteen rays, eight to a row, and what they meet.
+struct RayPacket {
+  static constexpr int row_count = 2;
+  static constexpr int size = row_count * lane_count;
 
   struct Row {
     Ray8 rays;
     Float8 distance = broadcast(infinity);
     Int8 place = broadcast(std::int32_t{0});
+
+    void put(int lane, const Ray& ray) {
+      rays.origin.set(lane, ray.origin);
+      rays.direction.set(lane, ray.direction);
+    }
+    FirstShape first(int lane) const { return {distance[lane], place[lane]}; }
   };
   std::array<Row, row_count> rows;
-
-  /// What the ray of the current path meets. Meanwhile other paths go on.
-  FirstShape meet(const Ray& ray) {
-    Row& row = rows[path_ / lane_count];
-    const int lane = static_cast<int>(path_ % lane_count);
-    row.rays.origin.set(lane, ray.origin);
-    row.rays.direction.set(lane, ray.direction);
-    wait();
-    return {row.distance[lane], row.place[lane]};
-  }
-
- protected:
-  RayPacket() = default;
-  ~RayPacket() = default;
-
-  unsigned path_ = 0;  ///< the current one, below `size`
-
- private:
-  /// Returns when the rows say what the ray of this path meets.
-  virtual void wait() = 0;
 };
-
-/// Of the paths that this thread follows at once; null if it follows one.
-inline constinit thread_local RayPacket* ray_packet = nullptr;
 
 }  // namespace lightwalk

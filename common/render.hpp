@@ -23,7 +23,6 @@
 
 #include "common/compiler.hpp"
 #include "common/film.hpp"
-#include "common/path_group.hpp"
 #include "common/random.hpp"
 #include "common/ray_count.hpp"
 #include "common/render_settings.hpp"
@@ -90,7 +89,7 @@ void render_tile(const PathTracer& tracer, const Scene& scene,
       film.pixel(column, row) = pixel;
     }
   };
-  run_paths(scene.geometry, std::cref(render_pixels));
+  scene.geometry.follow_paths(std::cref(render_pixels));
 }
 // #endregion render-tile
 

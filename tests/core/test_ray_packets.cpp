@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-#include "common/path_group.hpp"
+#include "common/geometry.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;
@@ -15,19 +15,14 @@ namespace {
 
 const Material material;
 
-/// A packet that nobody waits for.
-struct Packet : RayPacket {
-  void wait() override {}
-  void put(unsigned path, const Ray& ray) {
-    path_ = path;
-    meet(ray);
-  }
-  FirstShape take(unsigned path) const {
-    const Row& row = rows[path / lane_count];
-    const int lane = static_cast<int>(path % lane_count);
-    return {row.distance[lane], row.place[lane]};
-  }
-};
+void put(RayPacket& packet, int path, const Ray& ray) {
+  packet.rows[static_cast<std::size_t>(path / lane_count)].put(
+      path % lane_count, ray);
+}
+FirstShape first(const RayPacket& packet, int path) {
+  return packet.rows[static_cast<std::size_t>(path / lane_count)].first(
+      path % lane_count);
+}
 
 /// `count` shapes of each type but planes, of which there are two.
 Geometry mixed_shapes(int count) {
@@ -70,17 +65,19 @@ TEST_CASE("a packet of rays meets what each of its rays meets") {
   const Geometry geometry = mixed_shapes(11);
   Random random(1, 0, 0);
   for (int round = 0; round < 200; ++round) {
-    Packet packet;
+    RayPacket packet;
     std::vector<Ray> rays;
-    for (unsigned path = 0; path < Packet::size; ++path) {
+    for (int path = 0; path < RayPacket::size; ++path) {
       rays.push_back(random_ray(random));
-      packet.put(path, rays.back());
+      put(packet, path, rays.back());
     }
     geometry.meet(packet);
-    for (unsigned path = 0; path < Packet::size; ++path) {
-      const std::optional<Hit> hit = geometry.nearest_hit(rays[path]);
+    for (int path = 0; path < RayPacket::size; ++path) {
+      const std::optional<Hit> hit =
+          geometry.nearest_hit(rays[static_cast<std::size_t>(path)]);
       CAPTURE(path);
-      REQUIRE(packet.take(path).distance == (hit ? hit->distance : infinity));
+      REQUIRE(first(packet, path).distance ==
+              (hit ? hit->distance : infinity));
     }
   }
 }
@@ -94,12 +91,11 @@ TEST_CASE("of two shapes at the same place, the first is met") {
   for (const Geometry* geometry : {&planes, &spheres}) {
     const Ray ray{{0, 0, 0}, {0, 0, 1}};
     CHECK(geometry->nearest_hit(ray)->shape_index == 0);
-    Packet packet;
-    for (unsigned path = 0; path < Packet::size; ++path)
-      packet.put(path, ray);
+    RayPacket packet;
+    for (int path = 0; path < RayPacket::size; ++path) put(packet, path, ray);
     geometry->meet(packet);
-    for (unsigned path = 0; path < Packet::size; ++path) {
-      CHECK(packet.take(path).place == 0);
+    for (int path = 0; path < RayPacket::size; ++path) {
+      CHECK(first(packet, path).place == 0);
     }
   }
 }
@@ -120,7 +116,7 @@ TEST_CASE("paths that take turns see what a path alone sees") {
     };
     std::size_t next = 0;
     const std::uint64_t before = rays_cast;
-    run_paths(geometry, [&] {
+    geometry.follow_paths([&] {
       while (next < rays.size()) {
         const std::size_t first = next;
         next = std::min(rays.size(), first + 1 + first % 7);
@@ -145,7 +141,7 @@ TEST_CASE("paths that take turns see what a path alone sees") {
 TEST_CASE("a path may take no rays, or many more than the others") {
   const Geometry geometry = mixed_shapes(3);
   int starts = 0, rays = 0;
-  run_paths(geometry, [&] {
+  geometry.follow_paths([&] {
     const int path = starts++;
     for (int i = 0; path == 5 && i < 1000; ++i) {
       rays += geometry.nearest_hit({{0, 0, 0}, {0, -1, 0}}).has_value();
@@ -153,7 +149,7 @@ TEST_CASE("a path may take no rays, or many more than the others") {
   });
   if (starts > 5) CHECK(rays == 1000);
   int again = 0;
-  run_paths(geometry, [&] { ++again; });
+  geometry.follow_paths([&] { ++again; });
   CHECK(again == starts);
 }
 
@@ -170,5 +166,5 @@ TEST_CASE("a path has room for deep recursion") {
       return sum(depth - 1) + numbers[depth % 32];
     }
   };
-  run_paths(geometry, [&] { CHECK(Recursion{geometry}.sum(1000) > 0); });
+  geometry.follow_paths([&] { CHECK(Recursion{geometry}.sum(1000) > 0); });
 }
