@@ -49,8 +49,9 @@ inline constexpr float surface_offset = 0x1p-16f;
 /// `position` moved off its surface, to the side that `direction` points to.
 inline Vec3 off_surface(const Vec3& position, const Vec3& normal,
                         float magnitude, const Vec3& direction) {
-  const float offset = surface_offset * magnitude;
-  return position + normal * (dot(direction, normal) > 0 ? offset : -offset);
+  const float offset =
+      std::copysign(surface_offset * magnitude, dot(direction, normal));
+  return position + offset * normal;
 }
 
 /// Where a ray in `direction` starts that leaves the surface at `hit`.
@@ -66,7 +67,7 @@ inline Ray spawn_ray(const Hit& hit, const Vec3& direction) {
 
 /// The hit's normal, turned to the side that `direction` is on.
 inline Vec3 normal_towards(const Hit& hit, const Vec3& direction) {
-  return dot(hit.normal, direction) < 0 ? -hit.normal : hit.normal;
+  return std::copysign(1.0f, dot(hit.normal, direction)) * hit.normal;
 }
 
 }  // namespace lightwalk

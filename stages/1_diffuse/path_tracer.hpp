@@ -24,6 +24,7 @@
 #include "common/random.hpp"
 #include "common/render_settings.hpp"
 #include "common/scene.hpp"
+#include "common/sine_cosine.hpp"
 
 namespace lightwalk::stage1 {
 
@@ -90,7 +91,7 @@ inline Vec3 sample_uniform_hemisphere(const Vec3& normal, const Vec2& u) {
   const float sin_theta = std::sqrt(1 - u.x * u.x);
   const float phi = two_pi * u.y;
   return Frame(normal).to_world(
-      {sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta});
+      {sin_theta * cos(phi), sin_theta * sin(phi), cos_theta});
 }
 
 /// Density per solid angle of `sample_uniform_hemisphere`, in 1/sr.
@@ -116,7 +117,7 @@ inline Vec3 sample_cosine_hemisphere(const Vec3& normal, const Vec2& u) {
   const float sin_theta = std::sqrt(u.x);
   const float phi = two_pi * u.y;
   return Frame(normal).to_world(
-      {sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta});
+      {sin_theta * cos(phi), sin_theta * sin(phi), cos_theta});
 }
 
 /// Density per solid angle of `sample_cosine_hemisphere`, in 1/sr.

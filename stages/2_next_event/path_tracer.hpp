@@ -127,8 +127,7 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
   const float phi = two_pi * u.y;
   const Vec3 direction =
       Frame(to_center / distance)
-          .to_world({sin_theta * std::cos(phi), sin_theta * std::sin(phi),
-                     cos_theta});
+          .to_world({sin_theta * cos(phi), sin_theta * sin(phi), cos_theta});
 
   const float half_chord = std::sqrt(
       std::max(0.0f, squared_radius - squared_distance * sin2_theta));

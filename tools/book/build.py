@@ -23,8 +23,8 @@ from symbols import symbols_page
 from weave import title_of, weave
 
 # The core, in the order in which it reads best.
-CORE = """vector random frame ray material light plane sphere flat lanes
-  shape_list geometry ray_packet path_group
+CORE = """vector random sine_cosine frame ray material light plane sphere flat
+  lanes shape_list geometry ray_packet path_group
   box bounding_volume_hierarchy scene camera film ray_count render compiler
   instruction_sets tone_mapping pfm ppm""".split()
 PAGES = Path(__file__).parent / "pages"
