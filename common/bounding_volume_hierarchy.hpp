@@ -79,12 +79,12 @@ class BoundingVolumeHierarchy {
         end = visit(static_cast<std::uint32_t>(~next.child));
       } else {
         const Node& node = nodes_[static_cast<std::size_t>(next.child)];
-        const Float8 distances = box_ray.enter(node.boxes, end);
-        unsigned lanes = lanes_of(distances < infinity);
+        const BoxesMet met = box_ray.meet(node.boxes, end);
+        unsigned lanes = met.lanes;
         if (lanes != 0) {  // go on with the nearest child
           const auto entry = [&] {
             const int lane = std::countr_zero(lanes);
-            return Entry{distances[lane], node.child[lane]};
+            return Entry{met.distances[lane], node.child[lane]};
           };
           next = entry();
           while ((lanes &= lanes - 1) != 0) {

@@ -7,7 +7,9 @@
 // a million: see common/bounding_volume_hierarchy.hpp.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "common/flat.hpp"
 #include "common/lanes.hpp"
@@ -69,14 +71,14 @@ inline Box bounds(const Rectangle& rectangle) {
 
 /// Eight boxes. A lane that is not set is met by no ray.
 struct BoxPack {
-  Vec3x8 low, high;
+  std::array<Vec3x8, 2> corners;  // the low ones and the high ones
 
   BoxPack() {
     for (int i = 0; i < lane_count; ++i) set(i, Box{});
   }
   void set(int lane, const Box& box) {
-    low.set(lane, box.low);
-    high.set(lane, box.high);
+    corners[0].set(lane, box.low);
+    corners[1].set(lane, box.high);
   }
 };
 
@@ -87,39 +89,52 @@ struct BoxPack {
 // is in the box where it is between all three pairs. Dividing by a direction
 // of 0 along an axis would give 0/0 on the planes themselves, so such a
 // direction is taken as a very small one.
+//
+// Rounding must not let a ray miss a box that it meets. So the farther of two
+// planes is taken to be farther than it is, by more than all roundings here.
+
+/// What a ray meets of eight boxes.
+struct BoxesMet {
+  unsigned lanes;    ///< a bit for each box that it meets
+  Float8 distances;  ///< where it enters them
+};
 
 /// A ray, prepared for meeting many boxes.
-struct BoxRay {
-  Vec3 origin, inverse;
-
-  explicit BoxRay(const Ray& ray) : origin(ray.origin) {
+class BoxRay {
+ public:
+  explicit BoxRay(const Ray& ray) : origin_(ray.origin) {
     for (int axis = 0; axis < 3; ++axis) {
       const float d = ray.direction[axis];
-      inverse[axis] =
+      to_near_[axis] =
           1 / (std::abs(d) < 1e-18f ? std::copysign(1e-18f, d) : d);
+      near_[static_cast<std::size_t>(axis)] = to_near_[axis] < 0;
     }
+    to_far_ = to_near_ * (1 + 0x1p-20f);
   }
 
   // #region box-intersection
-  /// Where the ray enters each box; infinity where it does not before `end`.
-  Float8 enter(const BoxPack& boxes, float end) const {
+  /// The boxes that the ray is in somewhere between 0 and `end`.
+  BoxesMet meet(const BoxPack& boxes, float end) const {
     Float8 first = broadcast(0.0f), last = broadcast(end);
-    between(boxes.low.x, boxes.high.x, 0, first, last);
-    between(boxes.low.y, boxes.high.y, 1, first, last);
-    between(boxes.low.z, boxes.high.z, 2, first, last);
-    const float slack = 1 + 0x1p-20f;  // more than the roundings above
-    return select(first <= last * slack, first, broadcast(infinity));
+    clip(boxes, &Vec3x8::x, 0, first, last);
+    clip(boxes, &Vec3x8::y, 1, first, last);
+    clip(boxes, &Vec3x8::z, 2, first, last);
+    return {lanes_of(first <= last), first};
   }
 
  private:
-  void between(const Float8& low, const Float8& high, int axis, Float8& first,
-               Float8& last) const {
-    const Float8& near = inverse[axis] < 0 ? high : low;
-    const Float8& far = inverse[axis] < 0 ? low : high;
-    first = max(first, (near - origin[axis]) * inverse[axis]);
-    last = min(last, (far - origin[axis]) * inverse[axis]);
+  void clip(const BoxPack& boxes, Float8 Vec3x8::*along, int axis,
+            Float8& first, Float8& last) const {
+    const std::size_t near = near_[static_cast<std::size_t>(axis)];
+    const Float8& near_plane = boxes.corners[near].*along;
+    const Float8& far_plane = boxes.corners[1 - near].*along;
+    first = max(first, (near_plane - origin_[axis]) * to_near_[axis]);
+    last = min(last, (far_plane - origin_[axis]) * to_far_[axis]);
   }
   // #endregion box-intersection
+
+  Vec3 origin_, to_near_, to_far_;
+  std::array<std::size_t, 3> near_;  // which corner's plane is met first
 };
 
 }  // namespace lightwalk
