@@ -45,9 +45,10 @@ inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// No channel is ever below 0.
+/// Whether all channels are 0. What went wrong and is below 0, or not a
+/// number, is not black: it should be seen.
 inline bool is_black(const Vec3& colour) {
-  return !(max_component(colour) > 0);
+  return colour == Vec3(0);
 }
 
 }  // namespace lightwalk
