@@ -111,7 +111,7 @@ class Geometry {
         row.place = select(nearer, broadcast(first + i), row.place);
       }
     }
-    first += static_cast<std::int32_t>(list.packs().size()) * lane_count;
+    first += static_cast<std::int32_t>(list.place_count());
   }
   // #endregion meet-packet
 
@@ -227,9 +227,8 @@ class Geometry {
   template <class Shape, class Pack>
   static bool complete(const ShapeList<Shape, Pack>& list, ShapeType type,
                        std::size_t& place, Hit& hit) {
-    const std::size_t places = list.packs().size() * lane_count;
-    if (place >= places) {
-      place -= places;
+    if (place >= list.place_count()) {
+      place -= list.place_count();
       return false;
     }
     const std::size_t index = list.index(place);
