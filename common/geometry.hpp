@@ -71,8 +71,8 @@ class Geometry {
     return !blocked(ray, distance);
   }
 
-  /// Runs `work`, which follows paths until none is left. Where the shapes are
-  /// so few that every ray meets every shape, it is run sixteen times, in
+  /// Runs `work`, which follows paths until none is left. Where the shapes
+  /// are so few that every ray meets every shape, it is run sixteen times, in
   /// turns; otherwise once.
   void follow_paths(const std::function<void()>& work) const {
     if (!spheres_.tree().empty() || !rectangles_.tree().empty() ||
