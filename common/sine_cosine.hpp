@@ -4,9 +4,9 @@
 //
 // Directions are drawn with an angle from anywhere in the circle. The
 // standard library's functions ask which part of the circle it is in, and a
-// processor that must guess the answer in advance guesses wrong half of the
-// time. Each library also rounds the last bit as it likes. These two ask
-// nothing, and give the same bits everywhere.
+// processor must guess the answer in advance, which it often does wrong. Each
+// library also rounds the last bit as it likes. These two ask nothing, and
+// give the same bits everywhere.
 //
 // Sine and cosine are one wave. It has a piece, from $-\pi/2$ to $\pi/2$,
 // that is made of nothing but odd powers with quickly falling coefficients:
