@@ -66,7 +66,7 @@ class Geometry {
     ++rays_cast;
     const Vec3 way = to - from;
     const float distance = length(way);
-    const Ray ray{from, way * (1 / distance)};
+    const Ray ray{from, normalize(way)};
     if (path_group) return !(path_group->meet(ray).distance < distance);
     return !blocked(ray, distance);
   }

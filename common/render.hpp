@@ -5,9 +5,9 @@
 // The picture is cut into tiles, and each thread takes the next tile from a
 // counter until none is left. Within a tile several paths take turns
 // (common/path_group.hpp), each with pixels of its own. A sample's random
-// numbers depend on the pixel
-// and the sample alone, and a pixel's samples are added in order by whichever
-// thread has its tile: so any number of threads gives the same bits.
+// numbers depend on the pixel and the sample alone, and a pixel's samples are
+// added in order by whichever thread has its tile: so any number of threads
+// gives the same bits.
 //
 // The samples are taken in passes over the whole picture, so that a render
 // that is interrupted leaves a whole picture with fewer samples behind.

@@ -47,7 +47,7 @@ class ShapeList {
   const BoundingVolumeHierarchy& tree() const { return tree_; }
 
   /// Lanes of all packs, also those that are not set.
-  std::size_t place_count() const { return place_count_; }
+  std::size_t place_count() const { return packs_.size() * lane_count; }
 
   /// The index of the shape at a place: place 11 is lane 3 of pack 1.
   std::size_t index(std::size_t place) const {
@@ -57,10 +57,7 @@ class ShapeList {
  private:
   void add_to_packs(std::size_t place, std::size_t index) {
     const int lane = static_cast<int>(place % lane_count);
-    if (lane == 0) {
-      packs_.emplace_back();
-      place_count_ = packs_.size() * lane_count;
-    }
+    if (lane == 0) packs_.emplace_back();
     if (index < shapes_.size()) packs_.back().set(lane, shapes_[index]);
   }
 
@@ -73,7 +70,6 @@ class ShapeList {
 
   std::vector<Shape> shapes_;
   std::vector<Pack> packs_;
-  std::size_t place_count_ = 0;
   BoundingVolumeHierarchy tree_;
   std::vector<std::uint32_t> order_;  ///< of the shapes in the packs
 };
