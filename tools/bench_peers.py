@@ -34,7 +34,7 @@ FAR = 40  # planes are infinite here, and rectangles there
 def bsdf(material):
     """A material of the course; those that are not diffuse only resemble."""
 
-    def colour(key):
+    def color(key):
         value = material.get(key, 0)
         return value if isinstance(value, list) else [value] * 3
 
@@ -43,8 +43,8 @@ def bsdf(material):
 
     if "kt" in material:
         return {"type": "dielectric", "int_ior": material.get("eta", 1.5)}
-    diffuse = {"type": "diffuse", "reflectance": rgb(colour("kd"))}
-    share = max(colour("ks"))
+    diffuse = {"type": "diffuse", "reflectance": rgb(color("kd"))}
+    share = max(color("ks"))
     if share == 0:
         return diffuse
     mirror = {"type": "conductor", "material": "none"}

@@ -33,7 +33,7 @@
 #include <string>
 #include <vector>
 
-#include "common/render_result.hpp"
+#include "common/image/render_result.hpp"
 
 namespace lightwalk {
 

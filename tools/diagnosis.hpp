@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-#include "common/render_result.hpp"
+#include "common/image/render_result.hpp"
 #include "tools/gamma_function.hpp"
 
 namespace lightwalk {

@@ -102,14 +102,14 @@ def chart(curves):
     lines.append(f'<text x="{margin}" y="30">standard deviation of a pixel, '
                  'against rendering time</text>')
     for i, (name, points) in enumerate(curves):
-        colour = COLOURS[i // 2 % len(COLOURS)]
+        color = COLOURS[i // 2 % len(COLOURS)]
         dashes = ' stroke-dasharray="6 4"' if i % 2 == 0 else ""
         path = " ".join(f"{x:.1f},{y:.1f}"
                         for x, y in (at(*point) for point in points))
         lines.append(f'<polyline points="{path}" fill="none" '
-                     f'stroke="{colour}" stroke-width="2"{dashes}/>')
+                     f'stroke="{color}" stroke-width="2"{dashes}/>')
         y = margin + 20 * i
-        lines.append(f'<path d="M{width - 160} {y}h30" stroke="{colour}" '
+        lines.append(f'<path d="M{width - 160} {y}h30" stroke="{color}" '
                      f'stroke-width="2"{dashes}/>')
         lines.append(f'<text x="{width - 124}" y="{y + 4}">{name}</text>')
     return "\n".join([*lines, "</svg>"]) + "\n"

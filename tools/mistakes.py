@@ -158,7 +158,7 @@ class Suite:
 
     def hash_given(self):
         """Of all that a mistake does not change, but for the suite itself."""
-        files = [path for pattern in ("common/*.hpp", "tests/support/*",
+        files = [path for pattern in ("common/**/*.hpp", "tests/support/*",
                                       "tests/golden/**/*", "tools/*.hpp",
                                       "scenes/**/*")
                  for path in ROOT.glob(pattern) if path.is_file()]

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <string>
 
-#include "common/image_file.hpp"
-#include "common/one_line.hpp"
+#include "common/image/image_file.hpp"
+#include "common/scene_file/message_text.hpp"
 #include "tools/comparison.hpp"
 #include "tools/verdict.hpp"
 

@@ -153,7 +153,7 @@ inline Image difference_picture(const RenderResult& test,
     return Vec3(std::pow(scaled.x, 1 / 2.2f), std::pow(scaled.y, 1 / 2.2f),
                 std::pow(scaled.z, 1 / 2.2f));
   };
-  const auto signed_colour = [](float x) {  // -1 blue, 0 white, 1 red
+  const auto signed_color = [](float x) {  // -1 blue, 0 white, 1 red
     const float strength = std::min(1.0f, std::abs(x));
     return x > 0 ? Vec3(1, 1 - strength, 1 - strength)
                  : Vec3(1 - strength, 1 - strength, 1);
@@ -172,8 +172,8 @@ inline Image difference_picture(const RenderResult& test,
                         static_cast<float>(reference.info.samples_per_pixel));
       const Vec3 panels[4] = {
           displayed(a), displayed(b),
-          signed_colour(3 * mean_difference / white),
-          signed_colour(sigma > 0 ? mean_difference / sigma / 6 : 0)};
+          signed_color(3 * mean_difference / white),
+          signed_color(sigma > 0 ? mean_difference / sigma / 6 : 0)};
       for (int panel = 0; panel < 4; ++panel) {
         for (int i = 0; i < zoom * zoom; ++i) {
           picture.at(panel * (width * zoom + gap) + x * zoom + i % zoom,

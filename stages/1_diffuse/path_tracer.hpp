@@ -20,11 +20,11 @@
 // In the code `wo` and `wi` are $\omega_o$ and $\omega_i$. Both point *away*
 // from the surface, whichever way the light goes.
 
-#include "common/frame.hpp"
-#include "common/random.hpp"
-#include "common/render_settings.hpp"
-#include "common/scene.hpp"
-#include "common/sine_cosine.hpp"
+#include "common/math/basis.hpp"
+#include "common/math/random.hpp"
+#include "common/math/sine_cosine.hpp"
+#include "common/render/render_settings.hpp"
+#include "common/scene/scene.hpp"
 
 namespace lightwalk::stage1 {
 
@@ -90,7 +90,7 @@ inline Vec3 sample_uniform_hemisphere(const Vec3& normal, const Vec2& u) {
   const float cos_theta = u.x;
   const float sin_theta = std::sqrt(1 - u.x * u.x);
   const float phi = two_pi * u.y;
-  return Frame(normal).to_world(
+  return Basis(normal).to_world(
       {sin_theta * cos(phi), sin_theta * sin(phi), cos_theta});
 }
 
@@ -116,7 +116,7 @@ inline Vec3 sample_cosine_hemisphere(const Vec3& normal, const Vec2& u) {
   const float cos_theta = std::sqrt(1 - u.x);
   const float sin_theta = std::sqrt(u.x);
   const float phi = two_pi * u.y;
-  return Frame(normal).to_world(
+  return Basis(normal).to_world(
       {sin_theta * cos(phi), sin_theta * sin(phi), cos_theta});
 }
 
@@ -146,7 +146,7 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 // = k_d$$
 //
 // With cosine sampling nothing random is left, and with it goes the noise
-// that the factor $\cos\theta$ made. On a floor under a sky of one colour,
+// that the factor $\cos\theta$ made. On a floor under a sky of one color,
 // every single sample is exact. Nor is there a division that a $\cos\theta$
 // of nearly 0 could spoil.
 

@@ -1,6 +1,6 @@
-#include "common/program.hpp"
+#include "common/program/program.hpp"
 #include "stages/2_next_event/path_tracer.hpp"
-#include "stages/syllabus.hpp"
+#include "stages/introductions.hpp"
 
 lightwalk::Program lightwalk::this_program() {
   Program program;

@@ -126,7 +126,7 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
   const float sin_theta = std::sqrt(sin2_theta);
   const float phi = two_pi * u.y;
   const Vec3 direction =
-      Frame(to_center / distance)
+      Basis(to_center / distance)
           .to_world({sin_theta * cos(phi), sin_theta * sin(phi), cos_theta});
 
   const float half_chord = std::sqrt(

@@ -1,6 +1,6 @@
-#include "common/program.hpp"
+#include "common/program/program.hpp"
 #include "stages/4_russian_roulette/path_tracer.hpp"
-#include "stages/syllabus.hpp"
+#include "stages/introductions.hpp"
 
 lightwalk::Program lightwalk::this_program() {
   Program program;

@@ -1,6 +1,6 @@
-#include "common/program.hpp"
+#include "common/program/program.hpp"
 #include "stages/5_fresnel_textures/path_tracer.hpp"
-#include "stages/syllabus.hpp"
+#include "stages/introductions.hpp"
 
 lightwalk::Program lightwalk::this_program() {
   Program program;

@@ -9,7 +9,7 @@
 // place $x$ and on the direction of view $\omega_o$. So before a surface is
 // used, ask what it is here, seen from there. Nothing else changes.
 
-#include "common/srgb.hpp"
+#include "common/image/srgb.hpp"
 #include "stages/4_russian_roulette/path_tracer.hpp"
 
 namespace lightwalk::stage5 {
@@ -80,7 +80,7 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
   const Geometry& shapes = scene.geometry;
   switch (hit.shape_type) {
     case ShapeType::plane: {
-      const Vec3 local = Frame(hit.normal).to_local(hit.position);
+      const Vec3 local = Basis(hit.normal).to_local(hit.position);
       return {local.x, local.y};
     }
     case ShapeType::sphere: {
@@ -99,8 +99,8 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 
 // ## Reading a picture
 //
-// Pixels have their colour at their centre, half a pixel from the edge.
-// Between four centres it is mixed in proportion (bilinear). Beyond the edge
+// Pixels have their color at their center, half a pixel from the edge.
+// Between four centers it is mixed in proportion (bilinear). Beyond the edge
 // the picture repeats, which also closes the seam of the globe, where $u$
 // jumps from 1 to 0. Over the poles it must not: the north would shine
 // through in the south.
@@ -110,7 +110,7 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 // texture looks pale.
 
 // #region image
-/// The texel's colour, linear, 0 to 1. Columns and rows repeat.
+/// The texel's color, linear, 0 to 1. Columns and rows repeat.
 inline Vec3 texel(const Texture& texture, int column, int row) {
   const auto repeat = [](int i, int size) {
     return ((i % size) + size) % size;
@@ -121,10 +121,10 @@ inline Vec3 texel(const Texture& texture, int column, int row) {
           srgb_to_linear(bytes[2])};
 }
 
-/// The picture's colour at (u, v), between texels mixed. v = 0 is the lower
+/// The picture's color at (u, v), between texels mixed. v = 0 is the lower
 /// edge. `has_poles` keeps v from repeating.
-inline Vec3 image_colour(const Texture& texture, const Vec2& uv,
-                         bool has_poles) {
+inline Vec3 image_color(const Texture& texture, const Vec2& uv,
+                        bool has_poles) {
   const auto width = static_cast<float>(texture.width);
   const auto height = static_cast<float>(texture.height);
   const float x = (uv.x - std::floor(uv.x)) * width - 0.5f;
@@ -144,13 +144,13 @@ inline Vec3 image_colour(const Texture& texture, const Vec2& uv,
 // ## Patterns without a picture
 //
 // A checkerboard needs no file: count the squares, and odd ones have the
-// other colour. Counted over $(u, v)$ the squares follow the surface; counted
+// other color. Counted over $(u, v)$ the squares follow the surface; counted
 // over the position $x$ they are cubes that the surface is carved from. A
 // floor at a whole number would lie just between two layers of cubes, and
 // rounding would pick one by chance, so the cubes are read a little below the
 // surface.
 //
-// The last pattern depends on the view. Schlick's curve goes from the colour
+// The last pattern depends on the view. Schlick's curve goes from the color
 // that a surface has when seen squarely to the one at grazing angles
 // ("An Inexpensive BRDF Model", Computer Graphics Forum 13(3), 1994):
 //
@@ -174,17 +174,18 @@ inline Vec3 schlick(const Vec3& squarely, const Vec3& grazing,
 }
 
 /// What a pattern is at `hit`, seen from `wo`.
-inline Vec3 pattern_colour(const Pattern& pattern, const Scene& scene,
-                           const Hit& hit, const Vec3& wo) {
+inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
+                           const Scene& scene, const Hit& hit,
+                           const Vec3& wo) {
   switch (pattern.type) {
-    case PatternType::image:
-      return image_colour(*pattern.texture, texture_coordinates(scene, hit),
-                          hit.shape_type == ShapeType::sphere);
-    case PatternType::checker: {
+    case VaryingType::image:
+      return image_color(*pattern.texture, texture_coordinates(scene, hit),
+                         hit.shape_type == ShapeType::sphere);
+    case VaryingType::checker: {
       const Vec2 uv = pattern.scale * texture_coordinates(scene, hit);
       return is_odd({uv.x, uv.y, 0}) ? pattern.second : pattern.first;
     }
-    case PatternType::position_checker: {
+    case VaryingType::position_checker: {
       const Vec3 below =
           off_surface(hit.position, hit.normal, hit.magnitude, -hit.normal);
       return is_odd(pattern.scale * below) ? pattern.second : pattern.first;
@@ -210,9 +211,9 @@ inline Vec3 pattern_colour(const Pattern& pattern, const Scene& scene,
 inline Material material_at(const Scene& scene, const Hit& hit,
                             const Vec3& wo) {
   Material m = *hit.material;
-  if (m.kd_pattern) m.kd = pattern_colour(*m.kd_pattern, scene, hit, wo);
-  if (m.ks_pattern) m.ks = pattern_colour(*m.ks_pattern, scene, hit, wo);
-  if (m.kt_pattern) m.kt = pattern_colour(*m.kt_pattern, scene, hit, wo);
+  if (m.varying_kd) m.kd = coefficient_at(*m.varying_kd, scene, hit, wo);
+  if (m.varying_ks) m.ks = coefficient_at(*m.varying_ks, scene, hit, wo);
+  if (m.varying_kt) m.kt = coefficient_at(*m.varying_kt, scene, hit, wo);
   if (m.fresnel) {
     const float cos_o = std::abs(dot(hit.normal, wo));
     const float f = fresnel_reflectance(cos_o, relative_eta(hit, wo));

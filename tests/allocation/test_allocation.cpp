@@ -90,7 +90,6 @@ TEST_CASE("no stage allocates memory while it renders") {
       scene_file("cornell_box_point", 64, 64));
 #endif
 #if __has_include("stages/5_fresnel_textures/path_tracer.hpp")
-  check_allocations<stage5::PathTracer>(
-      scene_file("textured_globe", 64, 64));
+  check_allocations<stage5::PathTracer>(scene_file("textured_globe", 64, 64));
 #endif
 }

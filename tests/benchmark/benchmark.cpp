@@ -8,10 +8,10 @@
 #include <string>
 #include <thread>
 
-#include "common/program.hpp"
-#include "common/scene_file.hpp"
+#include "common/program/program.hpp"
+#include "common/scene_file/scene_file.hpp"
 #include "stages/5_fresnel_textures/path_tracer.hpp"
-#include "stages/syllabus.hpp"
+#include "stages/introductions.hpp"
 
 using namespace lightwalk;
 

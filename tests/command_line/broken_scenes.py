@@ -195,8 +195,8 @@ edit(
     "19:1: unknown key 'distances' in a plane, did you mean 'distance'?",
 )
 edit(
-    "a key in another language", "center =", "centre =",
-    "24:1: unknown key 'centre' in a sphere, did you mean 'center'?",
+    "a key in another language", "center =", "center =",
+    "24:1: unknown key 'center' in a sphere, did you mean 'center'?",
 )
 edit(
     "a key far from all", "[render]", "[render]\nthreads_and_more = 4",
@@ -285,12 +285,12 @@ edit(
     "12:1: [materials] must be a table of materials, not an array",
 )
 edit(
-    "a colour as a string", "kd = 0.8", 'kd = "#cccccc"',
+    "a color as a string", "kd = 0.8", 'kd = "#cccccc"',
     "13:16: 'kd' of material 'white' must be a number or [red, green, "
     "blue], not a string",
 )
 edit(
-    "four numbers as a colour", "kd = 0.8", "kd = [1, 1, 1, 1]",
+    "four numbers as a color", "kd = 0.8", "kd = [1, 1, 1, 1]",
     "13:16: 'kd' of material 'white' must be three numbers, like [0, 1, "
     "0], not 4",
 )
@@ -341,7 +341,7 @@ edit(
     "25:10: 'radius' of a sphere must be finite", CANNOT_SEE,
 )
 edit(
-    "NaN in a colour", "kd = 0.8", "kd = [0.5, nan, 0.5]",
+    "NaN in a color", "kd = 0.8", "kd = [0.5, nan, 0.5]",
     "13:22: 'kd' of material 'white' must be finite", CANNOT_SEE,
 )
 edit(

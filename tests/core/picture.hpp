@@ -3,8 +3,8 @@
 #include <cstring>
 #include <string>
 
-#include "common/image_file.hpp"
-#include "common/random.hpp"
+#include "common/image/image_file.hpp"
+#include "common/math/random.hpp"
 
 namespace lightwalk::tests {
 

@@ -9,7 +9,7 @@
 #include <csignal>
 #endif
 
-#include "common/image_file.hpp"
+#include "common/image/image_file.hpp"
 #include "tests/core/largest_allocation.hpp"
 #include "tests/core/picture.hpp"
 #include "tests/core/temporary_folder.hpp"

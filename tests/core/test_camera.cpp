@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "common/camera.hpp"
+#include "common/scene/camera.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;

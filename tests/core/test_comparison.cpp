@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "common/film.hpp"
-#include "common/random.hpp"
+#include "common/math/random.hpp"
+#include "common/render/film.hpp"
 #include "support/goldens.hpp"
 #include "tools/comparison.hpp"
 #include "tools/verdict.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "common/film.hpp"
+#include "common/render/film.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;

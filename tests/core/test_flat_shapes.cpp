@@ -2,7 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "common/geometry.hpp"
+#include "common/geometry/geometry.hpp"
+#include "common/scene/material.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;

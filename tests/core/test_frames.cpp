@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "common/frame.hpp"
+#include "common/math/basis.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;
@@ -14,7 +14,7 @@ constexpr float rounding = 1e-6f;
 
 // Three unit axes at right angles are right-handed when t x b = n.
 void check_frame(const Vec3& n) {
-  const Frame frame(n);
+  const Basis frame(n);
   INFO("normal " << text(n) << ", tangent " << text(frame.tangent)
                  << ", bitangent " << text(frame.bitangent));
   CHECK(frame.normal == n);
@@ -59,7 +59,7 @@ TEST_CASE("a frame is as good beside the poles and across z = 0") {
 }
 
 TEST_CASE("the frame's z axis is the normal, its x axis the tangent") {
-  const Frame frame(normalize(Vec3(1, -2, 0.5f)));
+  const Basis frame(normalize(Vec3(1, -2, 0.5f)));
   CHECK(frame.to_world({0, 0, 1}) == frame.normal);
   CHECK(frame.to_world({1, 0, 0}) == frame.tangent);
   CHECK(frame.to_world({0, 1, 0}) == frame.bitangent);
@@ -68,7 +68,7 @@ TEST_CASE("the frame's z axis is the normal, its x axis the tangent") {
 TEST_CASE("to_local undoes to_world") {
   Random random(2, 0, 0);
   for (int i = 0; i < 1000; ++i) {
-    const Frame frame(random_direction(random));
+    const Basis frame(random_direction(random));
     const Vec3 v = random_position(random, 1);
     INFO("normal " << text(frame.normal));
     CHECK(frame.to_local(frame.to_world(v)) == Near{v, 2 * rounding});

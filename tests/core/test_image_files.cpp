@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "common/image_file.hpp"
+#include "common/image/image_file.hpp"
 #include "tests/core/picture.hpp"
 #include "tests/core/temporary_folder.hpp"
 #include "tests/core/vectors.hpp"

@@ -10,8 +10,9 @@
 
 #include <cmath>
 
-#include "common/frame.hpp"
-#include "common/geometry.hpp"
+#include "common/geometry/geometry.hpp"
+#include "common/math/basis.hpp"
+#include "common/scene/material.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;

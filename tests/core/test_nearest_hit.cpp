@@ -6,7 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "common/geometry.hpp"
+#include "common/geometry/geometry.hpp"
+#include "common/scene/material.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "common/random.hpp"
+#include "common/math/random.hpp"
 #include "tests/support/chi_squared.hpp"
 
 using namespace lightwalk;

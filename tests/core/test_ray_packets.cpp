@@ -5,7 +5,8 @@
 #include <cstring>
 #include <vector>
 
-#include "common/geometry.hpp"
+#include "common/geometry/geometry.hpp"
+#include "common/scene/material.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;
@@ -84,7 +85,7 @@ TEST_CASE("a packet of rays meets what each of its rays meets") {
 
 TEST_CASE("of two shapes at the same place, the first is met") {
   // Ten planes in one: the first is in lane 0 of pack 0, the ninth in lane 0
-  // of pack 1, and there are two spheres around the same centre.
+  // of pack 1, and there are two spheres around the same center.
   Geometry planes, spheres;
   for (int i = 0; i < 10; ++i) planes.add(Plane{{0, 0, -1}, 1, &material});
   for (int i = 0; i < 10; ++i) spheres.add(Sphere{{0, 0, 3}, 1, &material});

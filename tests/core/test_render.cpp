@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/render.hpp"
+#include "common/render/render.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;

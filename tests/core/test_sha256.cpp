@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "common/sha256.hpp"
+#include "common/scene_file/sha256.hpp"
 
 using lightwalk::sha256;
 

@@ -2,7 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "common/geometry.hpp"
+#include "common/geometry/geometry.hpp"
+#include "common/scene/material.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;
@@ -87,9 +88,9 @@ TEST_CASE("a sphere is hit on its near side from outside") {
   CHECK(hit->shape_type == ShapeType::sphere);
 }
 
-// Beside the centre by 1.2 of 2, the ray enters sqrt(4 - 1.44) = 1.6 before
-// it is level with the centre.
-TEST_CASE("a sphere is hit beside its centre where Pythagoras says") {
+// Beside the center by 1.2 of 2, the ray enters sqrt(4 - 1.44) = 1.6 before
+// it is level with the center.
+TEST_CASE("a sphere is hit beside its center where Pythagoras says") {
   const Sphere ball{{0, 0, 0}, 2, &material};
   const auto hit = meet(ball, {1.2f, 0, -5}, {0, 0, 1});
   REQUIRE(hit);
@@ -137,7 +138,7 @@ TEST_CASE("a small sphere far away is hit where it is") {
   CHECK(std::abs(length(hit->position) - 1) <= 1e-6f);
 }
 
-TEST_CASE("a sphere too small to be told from its centre has a unit normal") {
+TEST_CASE("a sphere too small to be told from its center has a unit normal") {
   for (const float radius : {1e-6f, 1e-9f, 1e-20f, 1e-30f, 1e-40f}) {
     const auto hit =
         meet(Sphere{{0, 0, 0}, radius, &material}, {0, 0, -1}, {0, 0, 1});

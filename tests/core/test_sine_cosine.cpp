@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/sine_cosine.hpp"
+#include "common/math/sine_cosine.hpp"
 
 using namespace lightwalk;
 

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <string>
 
-#include "common/pfm.hpp"
-#include "common/ppm.hpp"
+#include "common/image/pfm.hpp"
+#include "common/image/ppm.hpp"
 #include "tests/core/largest_allocation.hpp"
 #include "tests/core/vectors.hpp"
 
@@ -200,8 +200,8 @@ TEST_CASE("broken PPM files are refused with the reason") {
   contains(ppm_complaint("P3 65536 65536 15 0"), "cut off");
   contains(ppm_complaint("P3 1000 1000 15 0"), "cut off: 17 bytes cannot");
   contains(ppm_complaint("P3 99999999999999999999 1 1 0"), "its width is");
-  contains(ppm_complaint("P3 1 1 0 0 0 0"), "colour resolution is 0");
-  contains(ppm_complaint("P3 1 1 -5 0 0 0"), "colour resolution is -5");
+  contains(ppm_complaint("P3 1 1 0 0 0 0"), "color resolution is 0");
+  contains(ppm_complaint("P3 1 1 -5 0 0 0"), "color resolution is -5");
   contains(ppm_complaint("P3 1 1 15 0 16 0"),
            "a pixel is 16, outside 0 to 15");
   contains(ppm_complaint("P3 1 1 15 0 -1 0"), "a pixel is -1, outside");

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "common/tone_mapping.hpp"
+#include "common/image/tone_mapping.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;

@@ -5,8 +5,9 @@
 
 #include <array>
 
-#include "common/frame.hpp"
-#include "common/geometry.hpp"
+#include "common/geometry/geometry.hpp"
+#include "common/math/basis.hpp"
+#include "common/scene/material.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;
@@ -27,7 +28,7 @@ struct Cube {
 };
 
 Cube random_cube(Random& random, float half, const Vec3& center) {
-  const Frame frame(random_direction(random));
+  const Basis frame(random_direction(random));
   return {
       center,
       {half * frame.tangent, half * frame.bitangent, half * frame.normal}};
@@ -104,7 +105,7 @@ void for_each_cube(Test test) {
         if (i == 0) {  // along the axes
           cube.axes = {Vec3(half, 0, 0), Vec3(0, half, 0), Vec3(0, 0, half)};
         }
-        INFO("half an edge " << half << ", centre " << text(cube.center)
+        INFO("half an edge " << half << ", center " << text(cube.center)
                              << ", axis " << text(cube.axes[0]));
         test(cube, of_rectangles(cube), random);
         test(cube, of_triangles(cube), random);

@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <string>
 
-#include "common/random.hpp"
-#include "common/vector.hpp"
+#include "common/math/random.hpp"
+#include "common/math/vector.hpp"
 
 namespace lightwalk::tests {
 

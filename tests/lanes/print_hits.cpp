@@ -5,8 +5,9 @@
 #include <cstdio>
 #include <cstring>
 
-#include "common/geometry.hpp"
-#include "common/random.hpp"
+#include "common/geometry/geometry.hpp"
+#include "common/math/random.hpp"
+#include "common/scene/material.hpp"
 
 namespace {
 

@@ -80,8 +80,8 @@ test("dark mode is dark, and letters stand out in both", async () => {
     const page = await watched(browser, { colorScheme: scheme });
     await page.goto(url("book/stages/1_diffuse.html"));
     const [ground, ink] = await page.evaluate(() => {
-      const light = (colour) => {
-        const [r, g, b] = colour.match(/[\d.]+/g).map(Number);
+      const light = (color) => {
+        const [r, g, b] = color.match(/[\d.]+/g).map(Number);
         return (0.2126 * r + 0.7152 * g + 0.0722 * b) / 255;
       };
       const style = getComputedStyle(document.body);

@@ -142,7 +142,7 @@ material = "lamp"
   }
 }
 
-// The box's walls: what bounces off a coloured wall has its colour.
+// The box's walls: what bounces off a colored wall has its color.
 TEST_CASE("red and blue swapped in the scene are swapped in the radiance") {
   std::string text = floor_and_ceiling;
   const Scene scene = scene_text(text);

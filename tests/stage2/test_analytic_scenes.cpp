@@ -50,9 +50,9 @@ Vec3 one_sample(const Scene& scene, const Ray& ray, int max_bounces) {
 }  // namespace
 
 // Inside a sphere of radius 1 with kd = 1/2, a point light of intensity pi at
-// the centre gives each point of the wall kd/pi * pi / 1^2 = 1/2, and each
+// the center gives each point of the wall kd/pi * pi / 1^2 = 1/2, and each
 // further bounce half of the one before: 1/2 + 1/4 + ... = 1 - 2^-N.
-TEST_CASE("a light at the centre of a sphere: 1 - 2^-N after N bounces") {
+TEST_CASE("a light at the center of a sphere: 1 - 2^-N after N bounces") {
   const Scene scene = scene_text(R"(
 [materials]
 wall = { kd = 0.5 }

@@ -94,7 +94,7 @@ TEST_CASE("what is totally reflected for ever brings nothing, and ends") {
   CHECK(tracer.radiance(grazing, random) == Vec3(0));
 }
 
-TEST_CASE("a coloured mirror colours what it shows") {
+TEST_CASE("a colored mirror colors what it shows") {
   const Scene scene =
       in_white_room("{ ks = [0.9, 0.5, 0.1] }", ball("thing"));
   const PathTracer tracer(scene, bounces(8));
@@ -106,7 +106,7 @@ TEST_CASE("a coloured mirror colours what it shows") {
 }
 
 // Through the middle of the ball: two refractions, each kt.
-TEST_CASE("coloured glass colours what is seen through it") {
+TEST_CASE("colored glass colors what is seen through it") {
   const Scene scene =
       in_white_room("{ kt = [0.9, 0.5, 0.1] }", ball("thing"));
   const PathTracer tracer(scene, bounces(8));
@@ -117,7 +117,7 @@ TEST_CASE("coloured glass colours what is seen through it") {
   CHECK(radiance.z == doctest::Approx(0.01));
 }
 
-TEST_CASE("a lobe of one colour is followed") {
+TEST_CASE("a lobe of one color is followed") {
   for (const char* material :
        {"{ ks = [0.9, 0, 0] }", "{ ks = [0.5, 0, 0], kd = [0.4, 0, 0] }"}) {
     CAPTURE(material);

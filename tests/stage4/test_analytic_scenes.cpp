@@ -12,7 +12,7 @@ using stage4::PathTracer;
 namespace {
 
 // A diffuse sphere from inside, with a point light of intensity pi in its
-// centre: each hit sees the light with radiance kd.
+// center: each hit sees the light with radiance kd.
 std::string lit_sphere(const std::string& kd) {
   return "[materials]\nwall = { kd = " + kd +
          " }\n[[shapes]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\n"
@@ -126,8 +126,8 @@ TEST_CASE("with a bound of N bounces there are N terms of the series") {
 
 // A room's wall seen through every lobe at once: kd + ks of the room's light
 // comes directly, and for kt the ball's inside is diffuse and specular too.
-// Where only one lobe has a colour, the others must not lose theirs.
-TEST_CASE("each lobe keeps its colour, whichever event is drawn") {
+// Where only one lobe has a color, the others must not lose theirs.
+TEST_CASE("each lobe keeps its color, whichever event is drawn") {
   const Scene scene = in_white_room(
       "{ kd = [0.8, 0, 0.1], ks = [0.1, 0.9, 0] }", ball("thing"));
   RenderSettings settings;

@@ -53,7 +53,7 @@ TEST_CASE("Fresnel shares out the coefficients of mirror and glass only") {
   CHECK(grazing.ks.x + 0.5f / 0.8f * grazing.kt.x == doctest::Approx(0.5));
 }
 
-// Patterns first: here the mirror's colour comes from one.
+// Patterns first: here the mirror's color comes from one.
 TEST_CASE("a pattern is what Fresnel shares out") {
   const Material m = seen(
       "{ ks = { schlick = [0.5, 0.5] }, kt = { checker = [0.8, 0.8] }, "
@@ -86,7 +86,7 @@ TEST_CASE(
   CHECK(square.ks.x == doctest::Approx(0.04).epsilon(1e-4));
 }
 
-TEST_CASE("Schlick's colours are the same from both sides") {
+TEST_CASE("Schlick's colors are the same from both sides") {
   const Scene scene =
       in_white_room("{ ks = { schlick = [0.2, 0.8] } }", ball("thing"));
   const auto hit = scene.nearest_hit({{0, 0, -5}, {0, 0, 1}});

@@ -1,5 +1,5 @@
 // Textures and patterns: which point of the picture a point of the shape has,
-// and what colour is there.
+// and what color is there.
 
 #include <doctest/doctest.h>
 
@@ -34,10 +34,10 @@ Texture four_texels() {
 
 constexpr float tolerance = 1e-5f;
 
-void check_colour(const Vec3& colour, const Vec3& expected) {
-  INFO("(", colour.x, ", ", colour.y, ", ", colour.z, ") instead of (",
+void check_color(const Vec3& color, const Vec3& expected) {
+  INFO("(", color.x, ", ", color.y, ", ", color.z, ") instead of (",
        expected.x, ", ", expected.y, ", ", expected.z, ")");
-  CHECK(length(colour - expected) < 1e-4f);
+  CHECK(length(color - expected) < 1e-4f);
 }
 
 }  // namespace
@@ -103,24 +103,23 @@ TEST_CASE("a sphere is a globe: middle to -z, east to +x, north to +y") {
   CHECK(uv_at(scene, {-0.01f, 0, 9}, {0, 0, 0}).x < 0.01f);
 }
 
-TEST_CASE("a texel has its colour at its centre, v = 0 at the bottom") {
+TEST_CASE("a texel has its color at its center, v = 0 at the bottom") {
   const Texture texture = four_texels();
-  check_colour(image_colour(texture, {0.25f, 0.75f}, false), {1, 0, 0});
-  check_colour(image_colour(texture, {0.75f, 0.75f}, false), {0, 1, 0});
-  check_colour(image_colour(texture, {0.25f, 0.25f}, false), {0, 0, 1});
-  check_colour(image_colour(texture, {0.75f, 0.25f}, false), {1, 1, 1});
+  check_color(image_color(texture, {0.25f, 0.75f}, false), {1, 0, 0});
+  check_color(image_color(texture, {0.75f, 0.75f}, false), {0, 1, 0});
+  check_color(image_color(texture, {0.25f, 0.25f}, false), {0, 0, 1});
+  check_color(image_color(texture, {0.75f, 0.25f}, false), {1, 1, 1});
 }
 
-TEST_CASE("between texels the colour is mixed") {
+TEST_CASE("between texels the color is mixed") {
   const Texture texture = four_texels();
-  check_colour(image_colour(texture, {0.5f, 0.75f}, false), {0.5f, 0.5f, 0});
-  check_colour(image_colour(texture, {0.5f, 0.5f}, false),
-               {0.5f, 0.5f, 0.5f});
-  check_colour(image_colour(texture, {0.375f, 0.75f}, false),
-               {0.75f, 0.25f, 0});
+  check_color(image_color(texture, {0.5f, 0.75f}, false), {0.5f, 0.5f, 0});
+  check_color(image_color(texture, {0.5f, 0.5f}, false), {0.5f, 0.5f, 0.5f});
+  check_color(image_color(texture, {0.375f, 0.75f}, false),
+              {0.75f, 0.25f, 0});
 }
 
-// 3 x 2 texels: the second column's centre is at u = 1/2, the upper row's at
+// 3 x 2 texels: the second column's center is at u = 1/2, the upper row's at
 // v = 3/4. A quarter of the way down to the lower row v is 5/8.
 TEST_CASE("a picture need not be square") {
   Texture texture;
@@ -128,25 +127,23 @@ TEST_CASE("a picture need not be square") {
   texture.height = 2;
   texture.texels = {{0, 0, 0}, {255, 0, 0}, {0, 0, 0},
                     {0, 0, 0}, {0, 255, 0}, {255, 255, 255}};
-  check_colour(image_colour(texture, {0.5f, 0.75f}, false), {1, 0, 0});
-  check_colour(image_colour(texture, {0.5f, 0.625f}, false),
-               {0.75f, 0.25f, 0});
-  check_colour(image_colour(texture, {5 / 6.0f, 0.25f}, false), {1, 1, 1});
-  check_colour(image_colour(texture, {0.5f, 0.25f}, false), {0, 1, 0});
+  check_color(image_color(texture, {0.5f, 0.75f}, false), {1, 0, 0});
+  check_color(image_color(texture, {0.5f, 0.625f}, false), {0.75f, 0.25f, 0});
+  check_color(image_color(texture, {5 / 6.0f, 0.25f}, false), {1, 1, 1});
+  check_color(image_color(texture, {0.5f, 0.25f}, false), {0, 1, 0});
 }
 
 TEST_CASE("a picture repeats, and mixes across its edges") {
   const Texture texture = four_texels();
   for (const float shift : {-3.0f, -1.0f, 1.0f, 7.0f}) {
-    check_colour(image_colour(texture, {0.25f + shift, 0.75f}, false),
-                 {1, 0, 0});
-    check_colour(image_colour(texture, {0.25f, 0.75f + shift}, false),
-                 {1, 0, 0});
+    check_color(image_color(texture, {0.25f + shift, 0.75f}, false),
+                {1, 0, 0});
+    check_color(image_color(texture, {0.25f, 0.75f + shift}, false),
+                {1, 0, 0});
   }
-  check_colour(image_colour(texture, {0, 0.75f}, false), {0.5f, 0.5f, 0});
-  check_colour(image_colour(texture, {1, 0.75f}, false), {0.5f, 0.5f, 0});
-  check_colour(image_colour(texture, {-1e-9f, 0.75f}, false),
-               {0.5f, 0.5f, 0});
+  check_color(image_color(texture, {0, 0.75f}, false), {0.5f, 0.5f, 0});
+  check_color(image_color(texture, {1, 0.75f}, false), {0.5f, 0.5f, 0});
+  check_color(image_color(texture, {-1e-9f, 0.75f}, false), {0.5f, 0.5f, 0});
 }
 
 // To the left of the first column is the last one, and not the second.
@@ -159,25 +156,25 @@ TEST_CASE("a picture of three columns repeats to the left as to the right") {
   for (int i = -6; i < 6; ++i) {
     CAPTURE(i);
     const float u = (static_cast<float>(i) + 0.5f) / 3;
-    check_colour(image_colour(texture, {u, 0.5f}, false),
-                 columns[(i + 6) % 3]);
+    check_color(image_color(texture, {u, 0.5f}, false), columns[(i + 6) % 3]);
   }
   for (const float u : {-2.0f, -1.0f, 0.0f, 1.0f}) {
-    check_colour(image_colour(texture, {u, 0.5f}, false), {0.5f, 0, 0.5f});
+    check_color(image_color(texture, {u, 0.5f}, false), {0.5f, 0, 0.5f});
   }
 }
 
 TEST_CASE("the poles of a globe do not mix") {
   const Texture texture = four_texels();
-  check_colour(image_colour(texture, {0.25f, 1}, true), {1, 0, 0});
-  check_colour(image_colour(texture, {0.25f, 0}, true), {0, 0, 1});
-  check_colour(image_colour(texture, {0, 0.75f}, true), {0.5f, 0.5f, 0});
+  check_color(image_color(texture, {0.25f, 1}, true), {1, 0, 0});
+  check_color(image_color(texture, {0.25f, 0}, true), {0, 0, 1});
+  check_color(image_color(texture, {0, 0.75f}, true), {0.5f, 0.5f, 0});
 }
 
 TEST_CASE(
     "a picture on a rectangle repeats upwards and on a globe does not") {
   const Texture texture = four_texels();
-  const Pattern pattern{PatternType::image, Vec3(0), Vec3(0), 1, &texture};
+  const VaryingCoefficient pattern{VaryingType::image, Vec3(0), Vec3(0), 1,
+                                   &texture};
   // The upper edge of the rectangle mixes upper and lower row; the north pole
   // is half red and half green, whichever way it is turned.
   const Scene flat = with(
@@ -186,13 +183,13 @@ TEST_CASE(
   const Vec3 edge(0.25f, 0.9999999f, 1);
   const auto on_flat = flat.nearest_hit({{0, 0, 0}, normalize(edge)});
   REQUIRE(on_flat.has_value());
-  check_colour(pattern_colour(pattern, flat, *on_flat, {0, 0, -1}),
-               {0.5f, 0, 0.5f});
+  check_color(coefficient_at(pattern, flat, *on_flat, {0, 0, -1}),
+              {0.5f, 0, 0.5f});
   const Scene globe =
       with("type = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1");
   const auto on_globe = globe.nearest_hit({{0, 5, 0}, {0, -1, 0}});
   REQUIRE(on_globe.has_value());
-  CHECK(pattern_colour(pattern, globe, *on_globe, {0, 1, 0}).z ==
+  CHECK(coefficient_at(pattern, globe, *on_globe, {0, 1, 0}).z ==
         doctest::Approx(0));
 }
 
@@ -218,14 +215,14 @@ TEST_CASE("each rectangle has its own uv") {
 TEST_CASE("checkers over the position are cubes of 1/scale") {
   const Scene scene =
       with("type = \"plane\"\nnormal = [0, 1, 0]\ndistance = 0.1");
-  const Pattern pattern{PatternType::position_checker, Vec3(1), Vec3(0), 4,
-                        nullptr};
+  const VaryingCoefficient pattern{VaryingType::position_checker, Vec3(1),
+                                   Vec3(0), 4, nullptr};
   // 4 (x, -0.1, 0.1) lies in the cubes floor(4 x), -1, 0.
   for (int i = 0; i < 4; ++i) {
     const float x = (static_cast<float>(i) + 0.5f) / 4;
     const auto hit = scene.nearest_hit({{x, 1, 0.1f}, {0, -1, 0}});
     REQUIRE(hit.has_value());
-    CHECK(pattern_colour(pattern, scene, *hit, {0, 1, 0}) ==
+    CHECK(coefficient_at(pattern, scene, *hit, {0, 1, 0}) ==
           Vec3(i % 2 == 0 ? 0.0f : 1.0f));
   }
 }
@@ -236,10 +233,10 @@ TEST_CASE("texels are decoded from sRGB, once, and before they are mixed") {
   texture.width = 2;
   texture.height = 1;
   texture.texels = {{188, 55, 10}, {0, 0, 0}};
-  check_colour(image_colour(texture, {0.25f, 0.5f}, false),
-               {0.502886f, 0.038204f, 0.003035f});
-  check_colour(image_colour(texture, {0.5f, 0.5f}, false),
-               {0.251443f, 0.019102f, 0.001518f});
+  check_color(image_color(texture, {0.25f, 0.5f}, false),
+              {0.502886f, 0.038204f, 0.003035f});
+  check_color(image_color(texture, {0.5f, 0.5f}, false),
+              {0.251443f, 0.019102f, 0.001518f});
   CHECK(srgb_to_linear(0) == 0);
   CHECK(srgb_to_linear(255) == 1);
 }
@@ -248,16 +245,17 @@ TEST_CASE("checkers over uv: squares of 1/scale, the first at the corner") {
   const Scene scene = with(
       "type = \"rectangle\"\ncorner = [0, 0, 1]\n"
       "edge_u = [1, 0, 0]\nedge_v = [0, 1, 0]");
-  const Pattern pattern{PatternType::checker, Vec3(1), Vec3(0), 4, nullptr};
+  const VaryingCoefficient pattern{VaryingType::checker, Vec3(1), Vec3(0), 4,
+                                   nullptr};
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
       const Vec3 target((static_cast<float>(column) + 0.5f) / 4,
                         (static_cast<float>(row) + 0.5f) / 4, 1);
       const auto hit = scene.nearest_hit({{0, 0, 0}, normalize(target)});
-      const Vec3 colour = pattern_colour(pattern, scene, *hit, {0, 0, -1});
+      const Vec3 color = coefficient_at(pattern, scene, *hit, {0, 0, -1});
       CAPTURE(row);
       CAPTURE(column);
-      CHECK(colour == Vec3((row + column) % 2 == 0 ? 1.0f : 0.0f));
+      CHECK(color == Vec3((row + column) % 2 == 0 ? 1.0f : 0.0f));
     }
   }
 }
@@ -274,8 +272,8 @@ TEST_CASE("checkers over the position alternate along all three axes") {
 TEST_CASE("a floor between two layers of cubes has no stray spots") {
   const Scene scene =
       with("type = \"plane\"\nnormal = [0, 1, 0]\ndistance = 1");
-  const Pattern pattern{PatternType::position_checker, Vec3(1), Vec3(0), 1,
-                        nullptr};
+  const VaryingCoefficient pattern{VaryingType::position_checker, Vec3(1),
+                                   Vec3(0), 1, nullptr};
   Random random(1, 0, 0);
   for (int i = 0; i < 2000; ++i) {
     const Vec2 u = random.uniform_2d();
@@ -283,15 +281,15 @@ TEST_CASE("a floor between two layers of cubes has no stray spots") {
     const auto hit = scene.nearest_hit(
         {{0, 0.3f, 0}, normalize(target - Vec3(0, 0.3f, 0))});
     // The cube below: floor(x), floor(y), floor(z) are 0, -2 and 2.
-    REQUIRE(pattern_colour(pattern, scene, *hit, {0, 1, 0}) == Vec3(1));
+    REQUIRE(coefficient_at(pattern, scene, *hit, {0, 1, 0}) == Vec3(1));
   }
 }
 
 // cos = 1/2: (1 - 1/2)^5 = 1/32.
 TEST_CASE("Schlick's curve goes from the square view to the grazing one") {
   const Vec3 squarely(0.04f, 0.1f, 0.5f), grazing(1, 0.9f, 0.5f);
-  check_colour(schlick(squarely, grazing, 1), squarely);
-  check_colour(schlick(squarely, grazing, 0), grazing);
-  check_colour(schlick(squarely, grazing, 0.5f),
-               squarely + (grazing - squarely) / 32.0f);
+  check_color(schlick(squarely, grazing, 1), squarely);
+  check_color(schlick(squarely, grazing, 0), grazing);
+  check_color(schlick(squarely, grazing, 0.5f),
+              squarely + (grazing - squarely) / 32.0f);
 }

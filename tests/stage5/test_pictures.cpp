@@ -27,8 +27,8 @@ TEST_CASE(
 }
 
 // A pattern that is the same everywhere is no pattern: checkers of two equal
-// colours, and Schlick's curve between two.
-TEST_CASE("a pattern of one colour is that colour, to the bit") {
+// colors, and Schlick's curve between two.
+TEST_CASE("a pattern of one color is that color, to the bit") {
   const auto picture = [](const std::string& coefficients) {
     const Scene scene = scene_text("[materials]\nthing = " + coefficients +
                                    "\nlamp = { ke = 1 }\n" +
@@ -69,7 +69,7 @@ TEST_CASE("the globe's picture is the map: land where the map has land") {
     const float u = 0.5f + std::atan2(normal.x, -normal.z) / two_pi;
     const float v = 0.5f + std::asin(normal.y) / pi;
     const Vec3 kd = stage5::material_at(scene, *hit, -normal).kd;
-    const Vec3 expected = stage5::image_colour(map, {u, v}, true);
+    const Vec3 expected = stage5::image_color(map, {u, v}, true);
     CHECK(length(kd - expected) < 1e-3f);
   }
 }

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "common/image_file.hpp"
-#include "common/scene_file.hpp"
+#include "common/image/image_file.hpp"
+#include "common/scene_file/scene_file.hpp"
 #include "tools/diagnosis.hpp"
 #include "tools/verdict.hpp"
 

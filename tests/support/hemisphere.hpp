@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "common/random.hpp"
-#include "common/vector.hpp"
+#include "common/math/random.hpp"
+#include "common/math/vector.hpp"
 #include "support/chi_squared.hpp"
 
 namespace lightwalk::tests {

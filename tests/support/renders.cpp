@@ -1,6 +1,6 @@
 #include "support/renders.hpp"
 
-#include "common/scene_file.hpp"
+#include "common/scene_file/scene_file.hpp"
 
 namespace lightwalk::tests {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "common/film.hpp"
-#include "common/loaded_scene.hpp"
-#include "common/program.hpp"
-#include "common/render_result.hpp"
+#include "common/image/render_result.hpp"
+#include "common/program/program.hpp"
+#include "common/render/film.hpp"
+#include "common/scene_file/loaded_scene.hpp"
 
 namespace lightwalk::tests {
 

@@ -23,15 +23,19 @@ from symbols import symbols_page
 from weave import title_of, weave
 
 # The core, in the order in which it reads best.
-CORE = """vector random sine_cosine frame ray material light plane sphere flat
-  lanes shape_list geometry ray_packet path_group
-  box bounding_volume_hierarchy scene camera film ray_count render compiler
-  instruction_sets tone_mapping pfm ppm""".split()
+CORE = """math/vector math/random math/sine_cosine math/basis
+  geometry/ray geometry/plane geometry/sphere geometry/rectangle_and_triangle
+  geometry/lanes geometry/shape_list geometry/geometry geometry/ray_packet
+  geometry/path_group geometry/bounds geometry/bounding_volume_hierarchy
+  scene/material scene/light scene/scene scene/camera render/film
+  geometry/ray_count render/render geometry/inlining
+  program/instruction_sets image/tone_mapping image/pfm image/ppm""".split()
 PAGES = Path(__file__).parent / "pages"
 
 
 def core_headers():
-    titled = {p.stem for p in ROOT.glob("common/*.hpp")
+    titled = {p.relative_to(ROOT / "common").with_suffix("").as_posix()
+              for p in ROOT.glob("common/**/*.hpp")
               if "\n// # " in p.read_text()}
     if titled != set(CORE):
         odd = ", ".join(sorted(titled ^ set(CORE)))
@@ -54,7 +58,8 @@ def write_source(build, source, figures):
         write(source / f"stages/{name}.md", contents + lines)
     for header in core_headers():
         check_names(header)
-        write(source / f"core/{header.stem}.md",
+        name = header.relative_to(ROOT / "common").with_suffix(".md")
+        write(source / "core" / name,
               ["---", "hide-toc: true", "---", ""] + weave(header))
     for page in PAGES.glob("*.md"):
         write(source / page.name, figures.filled(page.read_text()).split("\n"))

@@ -12,7 +12,7 @@ IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 def known_names():
     """Every identifier of the code, every word of the scene format."""
     names = set()
-    for pattern in ("common/*.hpp", "common/*.cpp", "stages/*.hpp",
+    for pattern in ("common/**/*.hpp", "common/**/*.cpp", "stages/*.hpp",
                     "stages/*/*.hpp", "stages/*/*.cpp"):
         for path in ROOT.glob(pattern):
             code = re.sub(r"//.*", "", path.read_text())
@@ -27,7 +27,7 @@ def exists(code):
         return True
     option = re.match(r"--([a-z-]+)", code)
     if option:
-        return f'"--{option[1]}' in (ROOT / "common/options.hpp").read_text()
+        return f'"--{option[1]}' in (ROOT / "common/program/options.hpp").read_text()
     words = IDENTIFIER.findall(re.sub(r'"[^"]*"', "", code))
     return all(word in known_names() for word in words)
 

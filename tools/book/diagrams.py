@@ -22,10 +22,10 @@ def draw(name, figures):
         raise BookError(f"diagrams.py draws no '{name}'")
     function, width, height = DRAWN[name]
     heads = "".join(
-        f'<marker id="{colour[1:]}" viewBox="0 0 8 8" refX="7" refY="4" '
+        f'<marker id="{color[1:]}" viewBox="0 0 8 8" refX="7" refY="4" '
         'markerWidth="7" markerHeight="7" orient="auto-start-reverse">'
-        f'<path d="M0 0.8 8 4 0 7.2z" fill="{colour}"/></marker>'
-        for colour in (INK, SOFT, WARM, COOL, GREEN))
+        f'<path d="M0 0.8 8 4 0 7.2z" fill="{color}"/></marker>'
+        for color in (INK, SOFT, WARM, COOL, GREEN))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" '
             f'viewBox="0 0 {width} {height}" width="{width}" '
             f'height="{height}" font-family="Georgia, DejaVu Serif, serif" '
@@ -33,21 +33,21 @@ def draw(name, figures):
             + "".join(function(figures)) + "</svg>\n")
 
 
-def line(x1, y1, x2, y2, colour=INK, width=1.6, arrow=False, dash=""):
-    end = f' marker-end="url(#{colour[1:]})"' if arrow else ""
+def line(x1, y1, x2, y2, color=INK, width=1.6, arrow=False, dash=""):
+    end = f' marker-end="url(#{color[1:]})"' if arrow else ""
     dashes = f' stroke-dasharray="{dash}"' if dash else ""
     return (f'<path d="M{x1:.1f} {y1:.1f} L{x2:.1f} {y2:.1f}" fill="none" '
-            f'stroke="{colour}" stroke-width="{width}"{dashes}{end}/>')
+            f'stroke="{color}" stroke-width="{width}"{dashes}{end}/>')
 
 
-def curve(points, colour=INK, width=1.8, dash=""):
+def curve(points, color=INK, width=1.8, dash=""):
     path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
     dashes = f' stroke-dasharray="{dash}"' if dash else ""
-    return (f'<polyline points="{path}" fill="none" stroke="{colour}" '
+    return (f'<polyline points="{path}" fill="none" stroke="{color}" '
             f'stroke-width="{width}"{dashes}/>')
 
 
-def text(x, y, words, colour=INK, anchor="middle", style="", size=15):
+def text(x, y, words, color=INK, anchor="middle", style="", size=15):
     """Words; `w_o` in them becomes an omega with a lower o, and so on."""
     for letter, sign in (("w", "ω"), ("t", "θ"), ("p", "p"), ("e", "η"),
                          ("k", "k"), ("r", "r")):
@@ -56,7 +56,7 @@ def text(x, y, words, colour=INK, anchor="middle", style="", size=15):
                 f"{letter}_{index}",
                 f'{sign}<tspan dy="4" font-size="11">{index}</tspan>'
                 '<tspan dy="-4">​</tspan>')
-    return (f'<text x="{x:.1f}" y="{y:.1f}" fill="{colour}" '
+    return (f'<text x="{x:.1f}" y="{y:.1f}" fill="{color}" '
             f'font-size="{size}" text-anchor="{anchor}" '
             f'font-style="{style or "normal"}">{words}</text>')
 
@@ -72,13 +72,13 @@ def polar(x, y, degrees, r):
     return x + r * math.sin(a), y - r * math.cos(a)
 
 
-def arc(x, y, first, last, r, colour=INK):
+def arc(x, y, first, last, r, color=INK):
     steps = [first + (last - first) * i / 24 for i in range(25)]
-    return curve([polar(x, y, a, r) for a in steps], colour, 1.2)
+    return curve([polar(x, y, a, r) for a in steps], color, 1.2)
 
 
-def ray(x, y, degrees, r, colour, width=2):
-    return line(x, y, *polar(x, y, degrees, r), colour, width, True)
+def ray(x, y, degrees, r, color, width=2):
+    return line(x, y, *polar(x, y, degrees, r), color, width, True)
 
 
 @diagram("hemisphere", 440, 270)
@@ -202,10 +202,10 @@ def snell(_):
 
 def bar(y, parts, end):
     x = 30
-    for name, share, colour in parts:
+    for name, share, color in parts:
         width = 440 * share
         yield (f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" '
-               f'fill="{colour}" stroke="#fff"/>')
+               f'fill="{color}" stroke="#fff"/>')
         yield text(x + width / 2, y + 25, name, "#fff", size=13)
         x += width
     yield line(30 + 440 * end, y - 8, 30 + 440 * end, y + 48, INK, 1.5)
@@ -273,7 +273,7 @@ def ray_counts(figures):
         y = y0 - dy * power
         yield line(x0, y, x0 + 480, y, "#ddd", 1)
         yield text(x0 - 10, y + 5, f"{10 ** power:,}", SOFT, "end", size=13)
-    for stage, colour, name in ((3, WARM, "stage 3: every lobe"),
+    for stage, color, name in ((3, WARM, "stage 3: every lobe"),
                                 (4, COOL, "stage 4: one by lot")):
         points = []
         for bound in bounds:
@@ -281,10 +281,10 @@ def ray_counts(figures):
             count = Render(figures.build, stage, "scenes/plastic.toml",
                            options).rays_per_sample()
             points.append((x0 + dx * bound, y0 - dy * math.log10(count)))
-        yield curve(points, colour, 2.2)
+        yield curve(points, color, 2.2)
         for px, py in points:
-            yield circle(px, py, 3.5, colour)
-        yield text(points[6][0] - 12, points[6][1] - 14, name, colour, "end")
+            yield circle(px, py, 3.5, color)
+        yield text(points[6][0] - 12, points[6][1] - 14, name, color, "end")
     for bound in bounds:
         yield text(x0 + dx * bound, y0 + 20, str(bound), SOFT, size=13)
     yield text(x0 + 240, y0 + 42, "bounces at most", size=14)
@@ -309,11 +309,11 @@ def fresnel_curves(_):
                                   (294, 1.5, "from inside", 41.81)):
         y0, width, height = 235, 200, 190
         yield from axes(x0, y0, width, height)
-        for i, (colour, dash) in enumerate(((INK, ""), (WARM, "6 3"),
+        for i, (color, dash) in enumerate(((INK, ""), (WARM, "6 3"),
                                             (COOL, "2 3"))):
             yield curve([(x0 + width * a / 180,
                           y0 - height * fresnel(a / 2, ratio)[i])
-                         for a in range(0, 181)], colour, 2 if not i else 1.6,
+                         for a in range(0, 181)], color, 2 if not i else 1.6,
                         dash)
         at = x0 + width * mark / 90
         yield line(at, y0, at, y0 - height, SOFT, 1, False, "3 3")
@@ -322,6 +322,6 @@ def fresnel_curves(_):
         yield text(x0 - 6, y0 + 5, "0", SOFT, "end", size=13)
         yield text(x0 - 6, y0 - height + 8, "1", SOFT, "end", size=13)
         yield text(x0 + width / 2, 26, name)
-    for x, colour, name in ((150, INK, "F"), (250, WARM, "r_s squared"),
+    for x, color, name in ((150, INK, "F"), (250, WARM, "r_s squared"),
                             (380, COOL, "r_p squared")):
-        yield text(x, 280, name, colour, size=14)
+        yield text(x, 280, name, color, size=14)

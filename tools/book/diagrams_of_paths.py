@@ -148,10 +148,10 @@ def densities(_):
         y0, width, height = 215, 200, 165
         yield line(x0, y0, x0 + width, y0)
         yield line(x0, y0, x0, y0 - height - 8)
-        for function, colour in functions:
+        for function, color in functions:
             yield curve([(x0 + width * i / 60,
                           y0 - height * function(math.pi / 2 * i / 60))
-                         for i in range(61)], colour, 2.4)
+                         for i in range(61)], color, 2.4)
         yield text(x0 + width, y0 + 18, "90°", SOFT, size=13)
         yield text(x0 - 7, y0 - height + 5, "1", SOFT, "end", size=13)
         yield text(x0 - 7, y0 + 5, "0", SOFT, "end", size=13)

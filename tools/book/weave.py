@@ -9,8 +9,8 @@ HEADING = re.compile(r"^(#+) (.*)")
 
 
 def slug(path, name):
-    return f"{path.parent.name if path.parent.name != 'common' else path.stem}" \
-        .replace("_", "-") + f"-{name}"
+    chapter = path.parent if path.parent.parent.name == "stages" else path
+    return chapter.stem.replace("_", "-") + f"-{name}"
 
 
 def fenced(name, argument, body, options=(), depth=3, mark=":"):

@@ -19,7 +19,7 @@ from deck import decks
 from figures import Figures
 from formulas import check_formulas, formulas
 from index import index_page
-from listing import colours, fill
+from listing import colors, fill
 from literate import ROOT, BookError
 from offline import check_offline
 
@@ -114,7 +114,7 @@ def main():
         return
     shutil.rmtree(made, ignore_errors=True)
     (source / "theme.css").write_text(
-        (ROOT / "slides/theme.css").read_text() + colours())
+        (ROOT / "slides/theme.css").read_text() + colors())
     marp(build)
     shutil.copytree(source / "figures", made / "figures")
     marp(build, "--pdf", "--allow-local-files", "--pdf-outlines",

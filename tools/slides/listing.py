@@ -69,7 +69,7 @@ def listing(reference, steps="", width=1112, height=485):
             f'<p class="source">{escape(path)}, <b>{escape(name)}</b></p>')
 
 
-def colours():
+def colors():
     rules = HtmlFormatter(style=STYLE).get_style_defs("pre.listing")
     return "\n".join(rule for rule in rules.split("\n") if "<" not in rule
                      and re.match(r"pre\.listing \.(?!hll)", rule))

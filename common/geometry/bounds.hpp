@@ -1,0 +1,140 @@
+#pragma once
+
+// # Boxes
+//
+// A box with its sides along the axes is quickly met, and every shape but a
+// plane fits into one. A tree of boxes finds the few shapes near a ray among
+// a million: see common/geometry/bounding_volume_hierarchy.hpp.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "common/geometry/lanes.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/geometry/rectangle_and_triangle.hpp"
+#include "common/geometry/sphere.hpp"
+
+namespace lightwalk {
+
+// #region box
+/// What lies between two corners; empty at first.
+struct Bounds {
+  Vec3 low{infinity}, high{-infinity};
+
+  void include(const Vec3& position) {
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+  void include(const Bounds& box) {
+    low = glm::min(low, box.low);
+    high = glm::max(high, box.high);
+  }
+  Vec3 center() const { return 0.5f * low + 0.5f * high; }
+
+  /// Half the surface. An empty box has none.
+  float half_area() const {
+    const Vec3 size = glm::max(high - low, Vec3(0));
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+  }
+};
+// #endregion box
+
+// A hit is found to a few roundings, and flat shapes reach a little over
+// their edges, so boxes are made a little larger than what they hold.
+
+inline Bounds widened(Bounds box) {
+  const float more = 0x1p-18f * std::max(max_abs_component(box.low),
+                                         max_abs_component(box.high));
+  return {box.low - more, box.high + more};
+}
+inline Bounds bounds(const Sphere& sphere) {
+  return widened(
+      {sphere.center - sphere.radius, sphere.center + sphere.radius});
+}
+inline Bounds bounds(const Triangle& triangle) {
+  Bounds box;
+  box.include(triangle.corner);
+  box.include(triangle.corner + triangle.edge_u);
+  box.include(triangle.corner + triangle.edge_v);
+  return widened(box);
+}
+inline Bounds bounds(const Rectangle& rectangle) {
+  Bounds box;
+  box.include(rectangle.corner);
+  box.include(rectangle.corner + rectangle.edge_u);
+  box.include(rectangle.corner + rectangle.edge_v);
+  box.include(rectangle.corner + rectangle.edge_u + rectangle.edge_v);
+  return widened(box);
+}
+
+/// Eight boxes. A lane that is not set is met by no ray.
+struct BoundsPack {
+  std::array<Vec3x8, 2> corners;  // the low ones and the high ones
+
+  BoundsPack() {
+    for (int i = 0; i < lane_count; ++i) set(i, Bounds{});
+  }
+  void set(int lane, const Bounds& box) {
+    corners[0].set(lane, box.low);
+    corners[1].set(lane, box.high);
+  }
+};
+
+// ## Meeting a box
+//
+// A box is what three pairs of parallel planes have in common. Along each
+// axis the ray is between the two planes from one distance to another, and it
+// is in the box where it is between all three pairs. Dividing by a direction
+// of 0 along an axis would give 0/0 on the planes themselves, so such a
+// direction is taken as a very small one.
+//
+// Rounding must not let a ray miss a box that it meets. So the farther of two
+// planes is taken to be farther than it is, by more than all roundings here.
+
+/// What a ray meets of eight boxes.
+struct BoundsMet {
+  unsigned lanes;    ///< a bit for each box that it meets
+  Float8 distances;  ///< where it enters them
+};
+
+/// A ray, prepared for meeting many boxes.
+class BoundsRay {
+ public:
+  explicit BoundsRay(const Ray& ray) : origin_(ray.origin) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const float d = ray.direction[axis];
+      to_near_[axis] =
+          1 / (std::abs(d) < 1e-18f ? std::copysign(1e-18f, d) : d);
+      near_[static_cast<std::size_t>(axis)] = to_near_[axis] < 0;
+    }
+    to_far_ = to_near_ * (1 + 0x1p-20f);
+  }
+
+  // #region box-intersection
+  /// The boxes that the ray is in somewhere between 0 and `end`.
+  BoundsMet meet(const BoundsPack& boxes, float end) const {
+    Float8 first = broadcast(0.0f), last = broadcast(end);
+    clip(boxes, &Vec3x8::x, 0, first, last);
+    clip(boxes, &Vec3x8::y, 1, first, last);
+    clip(boxes, &Vec3x8::z, 2, first, last);
+    return {lanes_of(first <= last), first};
+  }
+
+ private:
+  void clip(const BoundsPack& boxes, Float8 Vec3x8::*along, int axis,
+            Float8& first, Float8& last) const {
+    const std::size_t near = near_[static_cast<std::size_t>(axis)];
+    const Float8& near_plane = boxes.corners[near].*along;
+    const Float8& far_plane = boxes.corners[1 - near].*along;
+    first = max(first, (near_plane - origin_[axis]) * to_near_[axis]);
+    last = min(last, (far_plane - origin_[axis]) * to_far_[axis]);
+  }
+  // #endregion box-intersection
+
+  Vec3 origin_, to_near_, to_far_;
+  std::array<std::size_t, 3> near_;  // which corner's plane is met first
+};
+
+}  // namespace lightwalk

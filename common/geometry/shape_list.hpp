@@ -1,0 +1,77 @@
+#pragma once
+
+// # All shapes of one type
+//
+// They are kept twice: as they were given, for what a hit needs to know, and
+// in packs of eight, with just what it takes to find the hit.
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "common/geometry/bounding_volume_hierarchy.hpp"
+#include "common/geometry/plane.hpp"
+
+namespace lightwalk {
+
+/// From this many shapes of a type on, they are kept in a tree of boxes.
+inline constexpr std::size_t many_shapes = 64;
+
+/// The shapes of one type, as they are and in packs of eight.
+template <class Shape, class Pack>
+class ShapeList {
+ public:
+  void add(const Shape& shape) {
+    if (!tree_.empty()) forget_tree();
+    shapes_.push_back(shape);
+    add_to_packs(shapes_.size() - 1, shapes_.size() - 1);
+  }
+
+  /// Arranges the packs for fast search, if there are many shapes. Shapes
+  /// that are added later undo it.
+  void prepare() {
+    if constexpr (!std::is_same_v<Shape, Plane>) {  // has no box
+      if (shapes_.size() < many_shapes || !tree_.empty()) return;
+      tree_ = BoundingVolumeHierarchy(shapes_, order_);
+      packs_ = {};
+      packs_.reserve(order_.size() / lane_count);
+      for (std::size_t place = 0; place < order_.size(); ++place) {
+        add_to_packs(place, order_[place]);
+      }
+    }
+  }
+
+  const std::vector<Shape>& shapes() const { return shapes_; }
+  const std::vector<Pack>& packs() const { return packs_; }
+  const BoundingVolumeHierarchy& tree() const { return tree_; }
+
+  /// Lanes of all packs, also those that are not set.
+  std::size_t place_count() const { return packs_.size() * lane_count; }
+
+  /// The index of the shape at a place: place 11 is lane 3 of pack 1.
+  std::size_t index(std::size_t place) const {
+    return order_.empty() ? place : order_[place];
+  }
+
+ private:
+  void add_to_packs(std::size_t place, std::size_t index) {
+    const int lane = static_cast<int>(place % lane_count);
+    if (lane == 0) packs_.emplace_back();
+    if (index < shapes_.size()) packs_.back().set(lane, shapes_[index]);
+  }
+
+  void forget_tree() {
+    tree_ = {};
+    order_.clear();
+    packs_.clear();
+    for (std::size_t i = 0; i < shapes_.size(); ++i) add_to_packs(i, i);
+  }
+
+  std::vector<Shape> shapes_;
+  std::vector<Pack> packs_;
+  BoundingVolumeHierarchy tree_;
+  std::vector<std::uint32_t> order_;  ///< of the shapes in the packs
+};
+
+}  // namespace lightwalk

@@ -1,0 +1,80 @@
+#pragma once
+
+// # PFM
+//
+// The simplest file that holds floats: a line `PF`, the size, a line -1 for
+// "little-endian", and the pixels from the bottom row upwards. No library
+// needed, and most viewers of high dynamic range pictures open it.
+
+#include <bit>
+#include <cstring>
+#include <sstream>
+#include <string>
+
+#include "common/image/image.hpp"
+#include "common/image/image_error.hpp"
+
+namespace lightwalk {
+
+static_assert(sizeof(Vec3) == 12);
+
+inline std::string encode_pfm(const Image& image) {
+  static_assert(std::endian::native == std::endian::little);
+  std::string bytes = "PF\n" + std::to_string(image.width) + ' ' +
+                      std::to_string(image.height) + "\n-1.0\n";
+  const auto row_bytes = static_cast<std::size_t>(image.width) * sizeof(Vec3);
+  for (int row = image.height - 1; row >= 0; --row) {
+    bytes.append(reinterpret_cast<const char*>(&image.at(0, row)), row_bytes);
+  }
+  return bytes;
+}
+
+/// Reads both byte orders, color (`PF`) and grey (`Pf`).
+inline Image decode_pfm(const std::string& bytes) {
+  std::istringstream header(bytes.substr(0, 200));
+  std::string magic;
+  long long width = 0, height = 0;
+  double scale = 0;
+  header >> magic >> width >> height >> scale;
+  if (!header || (magic != "PF" && magic != "Pf") || scale == 0) {
+    throw ImageError("it is not a PFM file");
+  }
+  header.get();  // the one white-space character after the scale
+  const std::size_t channels = magic == "PF" ? 3 : 1;
+  if (width < 1 || height < 1 || width > 65536 || height > 65536) {
+    throw ImageError("its header claims " + std::to_string(width) + " x " +
+                     std::to_string(height) + " pixels");
+  }
+  const auto start = static_cast<std::size_t>(header.tellg());
+  const auto count =
+      static_cast<std::size_t>(width * height) * channels * sizeof(float);
+  if (start > bytes.size() || bytes.size() - start < count) {
+    throw ImageError("it is cut off: " + std::to_string(bytes.size()) +
+                     " bytes, and its header promises " +
+                     std::to_string(start + count));
+  }
+  Image image(static_cast<int>(width), static_cast<int>(height));
+  const char* next = bytes.data() + start;
+  const auto read_float = [&] {
+    char raw[4];
+    std::memcpy(raw, next, 4);
+    next += 4;
+    if (scale > 0) std::swap(raw[0], raw[3]), std::swap(raw[1], raw[2]);
+    float value;
+    std::memcpy(&value, raw, 4);
+    return value;
+  };
+  for (int row = image.height - 1; row >= 0; --row) {
+    for (int column = 0; column < image.width; ++column) {
+      Vec3& pixel = image.at(column, row);
+      if (channels == 1) {
+        pixel = Vec3(read_float());
+      } else {
+        for (int c = 0; c < 3; ++c) pixel[c] = read_float();
+      }
+    }
+  }
+  return image;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,140 @@
+#pragma once
+
+// # The course's PPM
+//
+// Plain-text P3, with the comment `#MAX=` that says which linear value the
+// largest whole number stands for: a stored number $s$ of a file with color
+// resolution $c$ is the value $s \cdot \mathrm{MAX} / c$. Without the comment
+// MAX is 1. So the file holds light beyond 1, in steps of MAX/65535.
+
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "common/image/image.hpp"
+#include "common/image/image_error.hpp"
+#include "common/image/tone_mapping.hpp"
+
+namespace lightwalk {
+
+inline std::string encode_ppm(const Image& image) {
+  constexpr int resolution = 65535;
+  float largest = max_value(image);
+  if (!(largest > 0)) largest = 1;
+  char number[64];
+  const auto written =
+      std::to_chars(number, number + sizeof number, largest).ptr;
+  std::string text = "P3\n#MAX=" + std::string(number, written) + '\n' +
+                     std::to_string(image.width) + ' ' +
+                     std::to_string(image.height) + '\n' +
+                     std::to_string(resolution) + '\n';
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      const Vec3 pixel =
+          glm::clamp(image.at(column, row) / largest, 0.0f, 1.0f);
+      for (int c = 0; c < 3; ++c) {
+        text += std::to_string(std::lround(pixel[c] * resolution));
+        text += c < 2 ? ' ' : column + 1 < image.width ? '\t' : '\n';
+      }
+    }
+  }
+  return text;
+}
+
+/// Splits a P3 file into its words, and takes `#MAX=` from its comments.
+class PpmWords {
+ public:
+  explicit PpmWords(const std::string& text)
+      : next_(text.data()), end_(next_ + text.size()) {}
+
+  float max() const { return max_; }
+
+  std::string_view word() {
+    for (; next_ < end_ && (is_space(*next_) || *next_ == '#');) {
+      if (*next_ == '#') {
+        comment();
+      } else {
+        ++next_;
+      }
+    }
+    const char* begin = next_;
+    while (next_ < end_ && !is_space(*next_) && *next_ != '#') ++next_;
+    return {begin, static_cast<std::size_t>(next_ - begin)};
+  }
+
+  /// A whole number; `what` is what the message calls it.
+  long long number(const char* what) {
+    const std::string_view text = word();
+    long long value = 0;
+    const auto [end, error] =
+        std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) {
+      throw ImageError(text.empty() ? "it is cut off: " + std::string(what) +
+                                          " is missing"
+                                    : std::string(what) + " is '" +
+                                          std::string(text.substr(0, 20)) +
+                                          "', not a whole number");
+    }
+    return value;
+  }
+
+ private:
+  static bool is_space(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+  }
+
+  void comment() {
+    const char* begin = next_;
+    while (next_ < end_ && *next_ != '\n') ++next_;
+    const std::string text(begin, next_);
+    if (text.rfind("#MAX=", 0) != 0) return;
+    char* after = nullptr;
+    max_ = std::strtof(text.c_str() + 5, &after);
+    if (after == text.c_str() + 5 || !(max_ > 0) || !std::isfinite(max_)) {
+      throw ImageError("its comment '" + text.substr(0, 40) +
+                       "' does not give a number above 0");
+    }
+  }
+
+  const char* next_;
+  const char* end_;
+  float max_ = 1;
+};
+
+inline Image decode_ppm(const std::string& text) {
+  PpmWords words(text);
+  if (words.word() != "P3")
+    throw ImageError("it is not a plain PPM (P3) file");
+  const long long width = words.number("its width");
+  const long long height = words.number("its height");
+  const long long resolution = words.number("its color resolution");
+  if (width < 1 || height < 1 || width > 65536 || height > 65536) {
+    throw ImageError("its header claims " + std::to_string(width) + " x " +
+                     std::to_string(height) + " pixels");
+  }
+  if (resolution < 1 || resolution > 0x7fffffff) {
+    throw ImageError("its color resolution is " + std::to_string(resolution));
+  }
+  // Each number takes a digit and a space, so this much must be there.
+  if (static_cast<std::size_t>(width * height) > text.size() / 6 + 1) {
+    throw ImageError("it is cut off: " + std::to_string(text.size()) +
+                     " bytes cannot hold " + std::to_string(width) + " x " +
+                     std::to_string(height) + " pixels");
+  }
+  Image image(static_cast<int>(width), static_cast<int>(height));
+  for (Vec3& pixel : image.pixels) {
+    for (int c = 0; c < 3; ++c) {
+      const long long value = words.number("a pixel");
+      if (value < 0 || value > resolution) {
+        throw ImageError("a pixel is " + std::to_string(value) +
+                         ", outside 0 to " + std::to_string(resolution));
+      }
+      pixel[c] = static_cast<float>(static_cast<double>(value) *
+                                    static_cast<double>(words.max()) /
+                                    static_cast<double>(resolution));
+    }
+  }
+  return image;
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/image/image_file.hpp"
+#include "common/image/texture.hpp"
+
+namespace lightwalk {
+
+/// Reads a picture of 8 bits a channel, sRGB: PNG or JPEG. `path` is relative
+/// to `folder`, and must not lead out of it: a scene is handed on together
+/// with its folder, and should work there. Throws an ImageError.
+inline Texture load_texture(const std::string& folder,
+                            const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path root = fs::weakly_canonical(folder.empty() ? "." : folder);
+  const fs::path file = fs::weakly_canonical(root / path, error);
+  const fs::path inside = file.lexically_relative(root);
+  if (fs::path(path).is_absolute() || inside.empty() ||
+      *inside.begin() == "..") {
+    throw ImageError("it must lie in the scene's folder, or below it");
+  }
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) throw ImageError("there is no such file");
+  if (!fs::is_regular_file(status)) throw ImageError("it is not a file");
+  const std::string format = ending(path);
+  if (format != ".png" && format != ".jpg" && format != ".jpeg") {
+    throw ImageError("its name ends in none of .png, .jpg, .jpeg");
+  }
+  Texture texture;
+  const std::string why =
+      need_image_codecs().read_texture(file.string(), texture);
+  if (!why.empty()) throw ImageError(why);
+  return texture;
+}
+
+}  // namespace lightwalk

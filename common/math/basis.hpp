@@ -1,0 +1,47 @@
+#pragma once
+
+// # Frames
+//
+// Directions are sampled about the z axis, where the formulas are short, and
+// then turned so that z becomes the surface's normal. Any two axes
+// perpendicular to the normal will do, but they must exist for every normal:
+// the cross product with a fixed "up" vector is zero when the normal *is* up,
+// and then just the floor and the ceiling turn black.
+//
+// The construction by Duff et al., "Building an Orthonormal Basis, Revisited"
+// (JCGT 6(1), 2017) has no such direction and needs no square root. Its two
+// halves meet at $z = 0$, where `copysign` also settles the sign of a zero.
+
+#include <cmath>
+
+#include "common/math/vector.hpp"
+
+namespace lightwalk {
+
+// #region frame
+/// Three unit axes, each perpendicular to the others, right-handed.
+struct Basis {
+  Vec3 tangent, bitangent, normal;
+
+  /// `n` must be a unit vector.
+  explicit Basis(const Vec3& n) : normal(n) {
+    const float sign = std::copysign(1.0f, n.z);
+    const float a = -1 / (sign + n.z);
+    const float b = n.x * n.y * a;
+    tangent = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    bitangent = {b, sign + n.y * n.y * a, -n.y};
+  }
+
+  /// From coordinates along the three axes to the world's.
+  Vec3 to_world(const Vec3& v) const {
+    return v.x * tangent + v.y * bitangent + v.z * normal;
+  }
+
+  /// From the world's coordinates to those along the three axes.
+  Vec3 to_local(const Vec3& v) const {
+    return {dot(v, tangent), dot(v, bitangent), dot(v, normal)};
+  }
+};
+// #endregion frame
+
+}  // namespace lightwalk

@@ -1,0 +1,54 @@
+#pragma once
+
+// # Vectors
+//
+// Positions, directions and colors are three floats of GLM. A color's
+// channels are red, green and blue, linear, in the units of what it stands
+// for: radiance, intensity, or a coefficient without a unit.
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+
+namespace lightwalk {
+
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+
+using glm::cross;
+using glm::dot;
+using glm::length;
+using glm::normalize;
+
+inline constexpr float pi = 3.14159265358979324f;
+inline constexpr float two_pi = 2 * pi;
+inline constexpr float inverse_pi = 1 / pi;
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// The largest of the three components.
+inline float max_component(const Vec3& v) {
+  return std::max(v.x, std::max(v.y, v.z));
+}
+
+/// The largest of the three components' sizes. `glm::abs` would ask for the
+/// sign of each, and half of the guesses a processor makes at it are wrong.
+inline float max_abs_component(const Vec3& v) {
+  return max_component({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// False where a component is infinite or not a number.
+inline bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Whether all channels are 0. What went wrong and is below 0, or not a
+/// number, is not black: it should be seen.
+inline bool is_black(const Vec3& color) {
+  return color == Vec3(0);
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,96 @@
+#pragma once
+
+// A line on the terminal that says how far a render is.
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "common/render/render.hpp"
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace lightwalk {
+
+inline bool stderr_is_terminal() {
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+/// A number with three digits or so and a unit: "4.56 M".
+inline std::string with_unit(double value) {
+  const char* unit = "";
+  if (value >= 1e9) {
+    value /= 1e9, unit = "G";
+  } else if (value >= 1e6) {
+    value /= 1e6, unit = "M";
+  } else if (value >= 1e3) {
+    value /= 1e3, unit = "k";
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %s", value, unit);
+  return text;
+}
+
+/// Shows the progress on stderr, a few times a second, until it is destroyed.
+/// Does nothing where stderr is not a terminal.
+class ProgressLine {
+ public:
+  ProgressLine(const RenderProgress& progress, double total, bool wanted)
+      : progress_(progress), total_(total) {
+    if (wanted && stderr_is_terminal()) {
+      thread_ = std::thread([this] { run(); });
+    }
+  }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (!thread_.joinable()) return;
+    {
+      const std::lock_guard lock(mutex_);
+      done_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+    std::fprintf(stderr, "\r\x1b[K");
+  }
+
+ private:
+  void run() {
+    using namespace std::chrono_literals;
+    std::unique_lock lock(mutex_);
+    while (!wake_.wait_for(lock, 200ms, [this] { return done_; })) print();
+  }
+
+  void print() const {
+    const std::chrono::duration<double> elapsed =
+        std::chrono::steady_clock::now() - start_;
+    const auto samples = static_cast<double>(progress_.samples.load());
+    const double rate = samples / elapsed.count();
+    const double left = rate > 0 ? (total_ - samples) / rate : 0;
+    std::fprintf(stderr, "\r\x1b[K%3.0f %%  %ssamples/s  %.0f s left",
+                 100 * samples / total_, with_unit(rate).c_str(), left);
+    std::fflush(stderr);
+  }
+
+  const RenderProgress& progress_;
+  double total_;
+  std::chrono::steady_clock::time_point start_ =
+      std::chrono::steady_clock::now();
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool done_ = false;
+  std::thread thread_;
+};
+
+}  // namespace lightwalk

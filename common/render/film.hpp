@@ -1,0 +1,91 @@
+#pragma once
+
+// # The film
+//
+// Each pixel keeps the mean of its samples and how much they scatter about
+// it. The variance says how noisy the pixel is: the mean of $n$ samples is
+// off by about $\sqrt{\mathrm{variance}/n}$, and without that number nobody
+// can say whether two pictures differ or are two throws of the same dice.
+// Both are updated sample by sample (Welford, Technometrics 4(3), 1962), in
+// double precision: a float's 24 bits are spent after a few million samples.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/image/image.hpp"
+#include "common/math/vector.hpp"
+
+namespace lightwalk {
+
+/// The running statistics of one pixel.
+struct Pixel {
+  double mean[3] = {0, 0, 0};
+  double squares[3] = {0, 0, 0};  ///< sum of squared differences to the mean
+  std::uint32_t samples = 0;
+  std::uint32_t dropped = 0;  ///< samples that were not finite
+
+  void add(const Vec3& radiance) {
+    if (!is_finite(radiance)) {
+      ++dropped;
+      return;
+    }
+    ++samples;
+    const double share = 1.0 / samples;
+    for (int c = 0; c < 3; ++c) {
+      const double x = radiance[c];
+      const double before = x - mean[c];
+      mean[c] += before * share;
+      squares[c] += before * (x - mean[c]);
+    }
+  }
+
+  /// The unbiased variance of one sample; 0 below two samples.
+  double variance(int channel) const {
+    return samples < 2 ? 0 : squares[channel] / (samples - 1);
+  }
+};
+
+class Film {
+ public:
+  Film(int width, int height)
+      : width_(width),
+        height_(height),
+        pixels_(static_cast<std::size_t>(width) *
+                static_cast<std::size_t>(height)) {}
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(column);
+  }
+  Pixel& pixel(int column, int row) { return pixels_[index(column, row)]; }
+  const std::vector<Pixel>& pixels() const { return pixels_; }
+
+  /// Mean radiance of each pixel, W/(m^2 sr).
+  Image radiance() const {
+    return image([](const Pixel& p, int c) { return p.mean[c]; });
+  }
+  /// Variance of one sample of each pixel.
+  Image variance() const {
+    return image([](const Pixel& p, int c) { return p.variance(c); });
+  }
+
+ private:
+  template <class Value>
+  Image image(Value value) const {
+    Image result(width_, height_);
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      for (int c = 0; c < 3; ++c) {
+        result.pixels[i][c] = static_cast<float>(value(pixels_[i], c));
+      }
+    }
+    return result;
+  }
+
+  int width_, height_;
+  std::vector<Pixel> pixels_;
+};
+
+}  // namespace lightwalk

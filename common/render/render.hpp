@@ -1,0 +1,158 @@
+#pragma once
+
+// # Rendering a picture
+//
+// The picture is cut into tiles, and each thread takes the next tile from a
+// counter until none is left. Within a tile several paths take turns
+// (common/geometry/path_group.hpp), each with pixels of its own. A sample's random
+// numbers depend on the pixel and the sample alone, and a pixel's samples are
+// added in order by whichever thread has its tile: so any number of threads
+// gives the same bits.
+//
+// The samples are taken in passes over the whole picture, so that a render
+// that is interrupted leaves a whole picture with fewer samples behind.
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/inlining.hpp"
+#include "common/geometry/ray_count.hpp"
+#include "common/math/random.hpp"
+#include "common/render/film.hpp"
+#include "common/render/render_settings.hpp"
+#include "common/scene/scene.hpp"
+
+namespace lightwalk {
+
+/// Pixels [left, right) x [top, bottom), samples [first, last) of each.
+struct Tile {
+  int left, right, top, bottom;
+  std::uint32_t first, last;
+};
+
+/// Adds a tile's samples to the film, and stops early where `stop` is set.
+using TileRenderer =
+    std::function<void(const Tile&, Film&, const std::atomic<bool>& stop)>;
+
+/// What a render has done so far; read while it runs to show progress.
+struct RenderProgress {
+  std::atomic<std::uint64_t> samples{0};
+  std::atomic<std::uint64_t> rays{0};
+};
+
+// #region render-tile
+/// The pixels of a tile that are not taken yet.
+class PixelQueue {
+ public:
+  explicit PixelQueue(const Tile& tile) : tile_(tile), row_(tile.top) {}
+
+  bool empty() const { return row_ == tile_.bottom; }
+
+  /// The next pixel's column and row.
+  std::pair<int, int> take() {
+    const std::pair pixel{column_, row_};
+    if (++column_ == tile_.right) {
+      column_ = tile_.left;
+      ++row_;
+    }
+    return pixel;
+  }
+
+ private:
+  Tile tile_;
+  int column_ = tile_.left, row_;
+};
+
+/// Renders one tile with a stage's path tracer, whose function
+/// `radiance(ray, random)` returns the light that comes back along a ray.
+template <class PathTracer>
+void render_tile(const PathTracer& tracer, const Scene& scene,
+                 std::uint64_t seed, const Tile& tile, Film& film,
+                 const std::atomic<bool>& stop) {
+  PixelQueue queue(tile);
+  const auto render_pixels = [&]() LIGHTWALK_IN_ONE_PIECE {
+    while (!queue.empty() && !stop.load(std::memory_order_relaxed)) {
+      const auto [column, row] = queue.take();
+      Pixel pixel = film.pixel(column, row);
+      const std::uint64_t key = film.index(column, row);
+      for (std::uint32_t sample = tile.first; sample < tile.last; ++sample) {
+        Random random(seed, key, sample);
+        const Ray ray = scene.camera.ray(column, row, random.uniform_2d());
+        pixel.add(tracer.radiance(ray, random));
+      }
+      film.pixel(column, row) = pixel;
+    }
+  };
+  scene.geometry.follow_paths(std::cref(render_pixels));
+}
+// #endregion render-tile
+
+inline constexpr int tile_size = 16;
+inline constexpr std::uint32_t most_samples_in_a_pass = 64;
+
+/// Renders every tile of one pass.
+inline void render_pass(const TileRenderer& render_tile, Film& film,
+                        std::uint32_t first, std::uint32_t last, int threads,
+                        const std::atomic<bool>& stop,
+                        RenderProgress& progress) {
+  const int columns = (film.width() + tile_size - 1) / tile_size;
+  const int rows = (film.height() + tile_size - 1) / tile_size;
+  const std::int64_t tiles = std::int64_t{columns} * rows;
+  std::atomic<std::int64_t> next{0};
+  const auto work = [&] {
+    for (std::int64_t i = next++; i < tiles && !stop; i = next++) {
+      Tile tile{static_cast<int>(i % columns) * tile_size,
+                0,
+                static_cast<int>(i / columns) * tile_size,
+                0,
+                first,
+                last};
+      tile.right = std::min(tile.left + tile_size, film.width());
+      tile.bottom = std::min(tile.top + tile_size, film.height());
+      const std::uint64_t rays_before = rays_cast;
+      render_tile(tile, film, stop);
+      progress.rays += rays_cast - rays_before;
+      progress.samples +=
+          std::uint64_t{last - first} *
+          static_cast<std::uint64_t>((tile.right - tile.left) *
+                                     (tile.bottom - tile.top));
+    }
+  };
+  std::vector<std::thread> helpers;
+  const std::int64_t useful = std::min<std::int64_t>(threads, tiles);
+  try {
+    for (std::int64_t i = 1; i < useful; ++i) helpers.emplace_back(work);
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those that there are do the work.
+  }
+  work();
+  for (std::thread& helper : helpers) helper.join();
+}
+
+/// Renders all samples of the picture, or as many as come before `stop`.
+/// `threads` = 0 takes as many as the machine has.
+inline void render(const TileRenderer& render_tile, int samples_per_pixel,
+                   int threads, Film& film, const std::atomic<bool>& stop,
+                   RenderProgress& progress) {
+  if (threads <= 0) {
+    threads =
+        std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  }
+  const auto samples = static_cast<std::uint32_t>(samples_per_pixel);
+  std::uint32_t done = 0;
+  while (done < samples && !stop) {
+    // As many as there are already, so a first picture is there at once.
+    const std::uint32_t more = std::clamp(done, 1u, most_samples_in_a_pass);
+    const std::uint32_t last = done + std::min(more, samples - done);
+    render_pass(render_tile, film, done, last, threads, stop, progress);
+    done = last;
+  }
+}
+
+}  // namespace lightwalk

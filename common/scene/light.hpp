@@ -1,0 +1,32 @@
+#pragma once
+
+// # Lights
+//
+// Light comes from points, which no ray can hit, and from surfaces with an
+// emission `ke`. Rectangles and spheres that emit are also listed here, so
+// that a point on them can be chosen. A plane is infinite and has no such
+// choice; it is found by rays that happen to hit it, and so is a triangle.
+
+#include "common/math/vector.hpp"
+
+namespace lightwalk {
+
+struct PointLight {
+  Vec3 center;
+  Vec3 intensity;  ///< radiant intensity, W/sr
+};
+
+/// Gives `radiance` on the side of its normal, edge_u x edge_v.
+struct RectangleLight {
+  Vec3 corner, edge_u, edge_v;
+  Vec3 radiance;  ///< W/(m^2 sr)
+};
+
+/// Gives `radiance` outwards.
+struct SphereLight {
+  Vec3 center;
+  float radius;
+  Vec3 radiance;  ///< W/(m^2 sr)
+};
+
+}  // namespace lightwalk

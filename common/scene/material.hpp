@@ -1,0 +1,30 @@
+#pragma once
+
+// # Materials
+//
+// A material is four coefficients, each a color, as on the slide "Material
+// coefficients". What they mean for light, the stages say.
+
+#include "common/math/vector.hpp"
+#include "common/scene/varying_coefficient.hpp"
+
+namespace lightwalk {
+
+struct Material {
+  Vec3 kd{0};        ///< diffuse reflectance, 0 to 1
+  Vec3 ks{0};        ///< perfect specular reflectance, 0 to 1
+  Vec3 kt{0};        ///< perfect refraction (transmittance), 0 to 1
+  Vec3 ke{0};        ///< emitted radiance, W/(m^2 sr), on the normal's side
+  float eta = 1.5f;  ///< index of refraction inside; outside is 1
+  bool fresnel = false;  ///< ks and kt are shared out by Fresnel's equations
+
+  /// Where a coefficient is not the same everywhere; null where it is.
+  const VaryingCoefficient* varying_kd = nullptr;
+  const VaryingCoefficient* varying_ks = nullptr;
+  const VaryingCoefficient* varying_kt = nullptr;
+
+  /// An emitter neither reflects nor refracts: a path ends at it.
+  bool emits() const { return !is_black(ke); }
+};
+
+}  // namespace lightwalk

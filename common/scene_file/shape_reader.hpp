@@ -1,0 +1,132 @@
+#pragma once
+
+// The [[shapes]] of a scene file.
+
+#include <string>
+
+#include "common/scene/scene.hpp"
+#include "common/scene_file/material_reader.hpp"
+#include "common/scene_file/toml_reader.hpp"
+
+namespace lightwalk {
+
+/// Lengths from 1e-12 to 1e12 can be squared in a float.
+inline constexpr float least_length = 1e-12f;
+
+/// A vector's direction. Scaled first, so that no digit of it is lost.
+inline Vec3 unit(const TomlTable& table, const char* key) {
+  const Vec3 v = table.vector(key);
+  const float size = max_abs_component(v);
+  if (size == 0) {
+    fail_at(table.at(key), table.label(key) + " must not be zero");
+  }
+  if (size < least_length) {
+    fail_at(table.at(key), table.label(key) + " is shorter than 1e-12");
+  }
+  return normalize(v / size);
+}
+
+/// Adds shapes to a scene.
+class ShapeReader {
+ public:
+  ShapeReader(const MaterialReader& materials, Scene& scene)
+      : materials_(materials), scene_(scene) {}
+
+  void read(const toml::node& node) {
+    if (!node.is_table()) {
+      fail_at(node, "a shape must be a table, not " + kind_of(node));
+    }
+    const toml::node* type = node.as_table()->get("type");
+    if (!type) fail_at(node, "a shape needs 'type'");
+    const std::string name = read_string(*type, "'type' of a shape");
+    if (name == "plane") return read_plane(node);
+    if (name == "sphere") return read_sphere(node);
+    if (name == "rectangle") return read_rectangle(node);
+    if (name == "triangle") return read_triangle(node);
+    const char* types[] = {"plane", "sphere", "rectangle", "triangle"};
+    fail_at(*type, "unknown shape " + in_quotes(name) +
+                       suggestion(name, types) +
+                       " (plane, sphere, rectangle, triangle)");
+  }
+
+ private:
+  void read_plane(const toml::node& node) {
+    const TomlTable table(node, "a plane",
+                          {"type", "normal", "distance", "material"});
+    const glm::dvec3 normal = table.vector("normal");
+    const Vec3 direction = unit(table, "normal");
+    const double distance =
+        static_cast<double>(table.number("distance")) / length(normal);
+    if (!(std::abs(distance) <= 1e12)) {
+      fail_at(node, "the plane is more than 1e12 away from the origin");
+    }
+    scene_.add(Plane{direction, static_cast<float>(distance),
+                     materials_.named_by(table)});
+  }
+
+  void read_sphere(const toml::node& node) {
+    const TomlTable table(node, "a sphere",
+                          {"type", "center", "radius", "material"});
+    const Vec3 center = table.vector("center");
+    const float radius = table.number("radius");
+    if (!(radius > 0)) {
+      fail_at(table.at("radius"),
+              table.label("radius") + " must be greater than 0");
+    }
+    if (radius < least_length) {
+      fail_at(table.at("radius"),
+              table.label("radius") + " is smaller than 1e-12");
+    }
+    scene_.add(Sphere{center, radius, materials_.named_by(table)});
+  }
+
+  void read_rectangle(const toml::node& node) {
+    const TomlTable table(node, "a rectangle",
+                          {"type", "corner", "edge_u", "edge_v", "material"});
+    const Vec3 corner = table.vector("corner");
+    unit(table, "edge_u");
+    unit(table, "edge_v");
+    add_flat(node, "the rectangle's edges",
+             Rectangle(corner, table.vector("edge_u"), table.vector("edge_v"),
+                       materials_.named_by(table)));
+  }
+
+  void read_triangle(const toml::node& node) {
+    const TomlTable table(node, "a triangle",
+                          {"type", "vertices", "material"});
+    const toml::node& list = table.at("vertices");
+    const toml::array* array = list.as_array();
+    if (!array || array->size() != 3) {
+      fail_at(list, table.label("vertices") +
+                        " must be three points, like [[0, 0, 0], [1, 0, 0], "
+                        "[0, 1, 0]]");
+    }
+    Vec3 vertex[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      vertex[i] = read_vector(*array->get(i), "a vertex of a triangle");
+    }
+    add_flat(list, "the triangle's vertices",
+             Triangle(vertex[0], vertex[1] - vertex[0], vertex[2] - vertex[0],
+                      materials_.named_by(table)));
+  }
+
+  template <class Shape>
+  void add_flat(const toml::node& node, const std::string& what,
+                const Shape& flat) {
+    // In double precision, where neither squares nor rounding matter.
+    const glm::dvec3 u = flat.edge_u, v = flat.edge_v;
+    if (!(length(glm::cross(u, v)) > 1e-6 * length(u) * length(v))) {
+      fail_at(node, what + " lie on one line: they span no area");
+    }
+    if (!is_finite(flat.normal) || !is_finite(flat.dual_u()) ||
+        !is_finite(flat.dual_v())) {
+      fail_at(node, what + " span an area that is too small or too large");
+    }
+    scene_.add(flat);
+  }
+
+  const MaterialReader& materials_;
+  Scene& scene_;
+};
+
+}  // namespace lightwalk
