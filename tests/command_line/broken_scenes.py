@@ -195,8 +195,8 @@ edit(
     "19:1: unknown key 'distances' in a plane, did you mean 'distance'?",
 )
 edit(
-    "a key in another language", "center =", "center =",
-    "24:1: unknown key 'center' in a sphere, did you mean 'center'?",
+    "a key in another language", "center =", "centre =",
+    "24:1: unknown key 'centre' in a sphere, did you mean 'center'?",
 )
 edit(
     "a key far from all", "[render]", "[render]\nthreads_and_more = 4",
