@@ -11,8 +11,8 @@ set -eu
 
 debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
   openimageio-tools libcli11-dev libtomlplusplus-dev doctest-dev
-  libbenchmark-dev libboost-context-dev python3 python3-jsonschema"
-brew_packages="boost cmake ninja glm openimageio cli11 tomlplusplus doctest
+  libbenchmark-dev python3 python3-jsonschema"
+brew_packages="cmake ninja glm openimageio cli11 tomlplusplus doctest
   google-benchmark"
 if [ "${1:-}" = site ]; then
   debian_packages="python3-venv"
@@ -66,7 +66,6 @@ else
     cat >&2 <<'TEXT'
 setup: this system has neither apt-get nor Homebrew. Please install:
   a C++20 compiler, CMake 3.22 or newer, Ninja (optional), GLM, OpenImageIO,
-  Boost.Context (optional),
   CLI11, toml++ 3, doctest, Google Benchmark, Python 3.11 with jsonschema;
   for the book Node 20 with npm, for the slides also Chromium or Chrome.
   With vcpkg: `vcpkg install` in this folder reads vcpkg.json.

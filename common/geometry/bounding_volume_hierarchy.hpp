@@ -62,7 +62,6 @@ class BoundingVolumeHierarchy {
   static constexpr std::uint32_t no_shape = 0xffffffff;
 
   bool empty() const { return nodes_.empty(); }
-  std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 
   // #region walk
   /// Calls `visit(pack)` for the packs that the ray may meet, the nearest of

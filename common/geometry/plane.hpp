@@ -20,33 +20,26 @@ struct Plane {
   Vec3 normal;     ///< unit
   float distance;  ///< d, the signed distance from the plane to the origin
   const Material* material;
+  static constexpr const Light* light = nullptr;  ///< it has no end
 };
 
-/// What is needed to meet a plane: of one plane, for eight rays, or of eight
-/// planes, for one ray.
-template <class Vector, class Number>
-struct PlaneForm {
-  Vector normal{};
-  Number distance{};
+/// What it takes to intersect eight planes. A lane that is not set is hit by
+/// no ray.
+struct PlanePack {
+  Vec3x8 normal;
+  Float8 distance{};
 
   // #region plane-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  template <class Rays>
-  Float8 intersect(const Rays& ray) const {
+  Float8 intersect(const Ray& ray) const {
     const Float8 height = dot(normal, ray.origin) + distance;
     return -height / dot(normal, ray.direction);
   }
   // #endregion plane-intersection
-};
 
-/// Eight planes. A lane that is not set is hit by no ray.
-struct PlanePack : PlaneForm<Vec3x8, Float8> {
   void set(int lane, const Plane& plane) {
     normal.set(lane, plane.normal);
     distance[lane] = plane.distance;
-  }
-  PlaneForm<Vec3, float> one(int lane) const {
-    return {normal[lane], distance[lane]};
   }
 };
 
@@ -55,8 +48,9 @@ inline void place_hit(const Plane& plane, Hit& hit) {
   hit.normal = plane.normal;
   hit.position -=
       plane.normal * (dot(plane.normal, hit.position) + plane.distance);
-  hit.magnitude =
-      std::max(max_abs_component(hit.position), std::abs(plane.distance));
+  hit.rounding = flat_rounding *
+                 (max_abs_component(hit.position) + std::abs(plane.distance));
+  hit.diameter = 0;
 }
 
 }  // namespace lightwalk

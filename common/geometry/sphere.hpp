@@ -26,19 +26,18 @@ struct Sphere {
   Vec3 center;
   float radius;
   const Material* material;
+  const Light* light = nullptr;  ///< the scene's light that it is, if any
 };
 
-/// What is needed to meet a sphere: of one sphere, for eight rays, or of
-/// eight spheres, for one ray.
-template <class Vector, class Number>
-struct SphereForm {
-  Vector center{};
-  Number radius_squared{};
+/// What it takes to intersect eight spheres. A lane that is not set is hit by
+/// no ray.
+struct SpherePack {
+  Vec3x8 center;
+  Float8 radius_squared = broadcast(-1.0f);
 
   // #region sphere-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  template <class Rays>
-  Float8 intersect(const Rays& ray) const {
+  Float8 intersect(const Ray& ray) const {
     const auto f = ray.origin - center;
     const Float8 b = -dot(f, ray.direction);
     const Vec3x8 beside = f + scale(b, ray.direction);
@@ -53,18 +52,10 @@ struct SphereForm {
     return select(near > 0.0f, near, far);
   }
   // #endregion sphere-intersection
-};
-
-/// Eight spheres. A lane that is not set is hit by no ray.
-struct SpherePack : SphereForm<Vec3x8, Float8> {
-  SpherePack() { radius_squared = broadcast(-1.0f); }
 
   void set(int lane, const Sphere& sphere) {
     center.set(lane, sphere.center);
     radius_squared[lane] = sphere.radius * sphere.radius;
-  }
-  SphereForm<Vec3, float> one(int lane) const {
-    return {center[lane], radius_squared[lane]};
   }
 };
 
@@ -74,7 +65,8 @@ inline void place_hit(const Sphere& sphere, Hit& hit) {
   // The center itself is hit where the sphere is smaller than rounding.
   hit.normal = dot(out, out) > 0 ? normalize(out) : Vec3(0, 0, 1);
   hit.position = sphere.center + sphere.radius * hit.normal;
-  hit.magnitude = max_abs_component(sphere.center) + sphere.radius;
+  hit.rounding = 0;
+  hit.diameter = 2 * sphere.radius;
 }
 
 }  // namespace lightwalk

@@ -25,10 +25,10 @@ from weave import title_of, weave
 # The core, in the order in which it reads best.
 CORE = """math/vector math/random math/sine_cosine math/basis
   geometry/ray geometry/plane geometry/sphere geometry/rectangle_and_triangle
-  geometry/lanes geometry/shape_list geometry/geometry geometry/ray_packet
-  geometry/path_group geometry/bounds geometry/bounding_volume_hierarchy
-  scene/material scene/light scene/scene scene/camera render/film
-  geometry/ray_count render/render geometry/inlining
+  geometry/lanes geometry/shape_list geometry/geometry geometry/bounds
+  geometry/bounding_volume_hierarchy geometry/inlining
+  scene/material scene/light scene/scene scene/camera scene/path_log
+  scene/ray_count render/film render/render
   program/instruction_sets image/tone_mapping image/pfm image/ppm""".split()
 PAGES = Path(__file__).parent / "pages"
 
