@@ -215,15 +215,16 @@ class Geometry {
     hit.distance = closest.distance;
     hit.slot = closest.slot;
     hit.position = ray.origin + closest.distance * ray.direction;
+    hit.rounding = flat_rounding * max_abs_component(hit.position);
     // Back by more than rounding may have moved it past another surface.
-    const float back = 0x1p-21f * max_abs_component(hit.position);
-    hit.position -= std::min(back, 0.5f * closest.distance) * ray.direction;
+    const float step = std::min(2 * hit.rounding, 0.5f * closest.distance);
+    const Vec3 back = step * ray.direction;
     auto slot = static_cast<std::size_t>(closest.slot);
     [[maybe_unused]] const bool found =
-        complete<Planes>(ShapeType::plane, slot, hit) ||
-        complete<Spheres>(ShapeType::sphere, slot, hit) ||
-        complete<Rectangles>(ShapeType::rectangle, slot, hit) ||
-        complete<Triangles>(ShapeType::triangle, slot, hit);
+        complete<Planes>(ShapeType::plane, slot, back, hit) ||
+        complete<Spheres>(ShapeType::sphere, slot, back, hit) ||
+        complete<Rectangles>(ShapeType::rectangle, slot, back, hit) ||
+        complete<Triangles>(ShapeType::triangle, slot, back, hit);
     assert(found);
     return hit;
   }
@@ -231,7 +232,8 @@ class Geometry {
   /// Completes the hit if it is in one of this list's slots; otherwise makes
   /// `slot` count from the next list's first.
   template <class List>
-  bool complete(ShapeType type, std::size_t& slot, Hit& hit) const {
+  bool complete(ShapeType type, std::size_t& slot, const Vec3& back,
+                Hit& hit) const {
     if (slot >= list<List>().slot_count()) {
       slot -= list<List>().slot_count();
       return false;
@@ -242,7 +244,7 @@ class Geometry {
     hit.shape_index = static_cast<std::uint32_t>(index);
     hit.material = shape.material;
     hit.light = shape.light;
-    place_hit(shape, hit);
+    place_hit(shape, back, hit);
     return true;
   }
 

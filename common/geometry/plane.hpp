@@ -43,13 +43,15 @@ struct PlanePack {
   }
 };
 
-/// Completes a hit at `hit.position`, which rounding has put near the plane.
-inline void place_hit(const Plane& plane, Hit& hit) {
+/// Completes a hit at `hit.position`, which rounding has put near the plane,
+/// and moves it back by `back` within the plane.
+inline void place_hit(const Plane& plane, const Vec3& back, Hit& hit) {
   hit.normal = plane.normal;
-  hit.position -=
-      plane.normal * (dot(plane.normal, hit.position) + plane.distance);
-  hit.rounding = flat_rounding *
-                 (max_abs_component(hit.position) + std::abs(plane.distance));
+  hit.position -= back;
+  const double height =
+      dot(DoubleVec3(plane.normal), DoubleVec3(hit.position)) +
+      static_cast<double>(plane.distance);
+  hit.position -= static_cast<float>(height) * plane.normal;
   hit.diameter = 0;
 }
 

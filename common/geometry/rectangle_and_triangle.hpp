@@ -103,12 +103,15 @@ struct FlatPack {
   }
 };
 
-/// Completes a hit at `hit.position`, which rounding has put near the plane.
-inline void place_hit(const FlatShape& flat, Hit& hit) {
+/// Completes a hit at `hit.position`, which rounding has put near the plane,
+/// and moves it back by `back` within the plane.
+inline void place_hit(const FlatShape& flat, const Vec3& back, Hit& hit) {
   hit.normal = flat.normal;
-  hit.position -= flat.normal * dot(flat.normal, hit.position - flat.corner);
-  hit.rounding = flat_rounding * (max_abs_component(hit.position) +
-                                  max_abs_component(flat.corner));
+  hit.position -= back;
+  const DoubleVec3 from_corner =
+      DoubleVec3(hit.position) - DoubleVec3(flat.corner);
+  const double height = dot(DoubleVec3(flat.normal), from_corner);
+  hit.position -= static_cast<float>(height) * flat.normal;
   hit.diameter = 0;
 }
 

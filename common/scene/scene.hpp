@@ -30,14 +30,12 @@ namespace lightwalk {
 template <class Flat>
 Flat set_apart(Flat flat) {
   const Material& material = *flat.material;
-  const Vec3 size =
-      glm::abs(flat.corner) + glm::abs(flat.edge_u) + glm::abs(flat.edge_v);
-  if (material.emits()) {
-    flat.corner +=
-        flat_rounding * dot(glm::abs(flat.normal), size) * flat.normal;
-  } else if (material.refracts()) {
-    flat.corner -= flat_rounding * max_component(size) * flat.normal;
-  }
+  const Vec3 half = 0.5f * (absolute(flat.edge_u) + absolute(flat.edge_v));
+  const Vec3 middle = flat.corner + 0.5f * (flat.edge_u + flat.edge_v);
+  const float step =
+      2 * flat_rounding * max_component(absolute(middle) + half);
+  if (material.emits()) flat.corner += step * flat.normal;
+  if (material.refracts()) flat.corner -= step * flat.normal;
   return flat;
 }
 // #endregion set-apart
