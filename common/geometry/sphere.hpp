@@ -17,8 +17,8 @@
 // Of a sphere of the size of the Earth, under a house, $f$ itself is rounded
 // to half a meter. What $f \cdot f - r^2$ needs is the distance from the
 // sphere, not from its center: let $a$ be the point of the sphere that is
-// nearest to the scene's origin, $g = o - a$ and $s = a - c$. Then $f = g + s$
-// and $s \cdot s = r^2$, and what remains is $g \cdot (g + 2s)$.
+// nearest to the scene's origin, $g = o - a$ and $s = a - c$. Then
+// $f = g + s$ and $s \cdot s = r^2$, and what remains is $g \cdot (g + 2s)$.
 //
 // Of the two, the nearer that lies ahead counts. From inside, the nearer one
 // lies behind: a sphere that only knows its near root cannot be left again.

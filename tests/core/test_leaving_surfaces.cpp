@@ -189,27 +189,65 @@ TEST_CASE("a ray starts within a few roundings of its surface") {
 }
 
 // A ball of radius r on the floor is d^2 / 2r above it at a distance d from
-// the point where it stands: at r/1000 that is r/2,000,000.
+// the point where it stands: at r/1000 that is r/2,000,000. A floor that is a
+// ball itself, of the size of a hill or of a moon, is as good as flat.
 TEST_CASE("no light leaks under a ball that stands on the floor") {
   constexpr float r = 0.3f;
-  Geometry geometry;
-  geometry.add(Plane{{0, 1, 0}, 1, &material});
-  geometry.add(Sphere{{-0.5f, -1 + r, 0.25f}, r, &material});
-  for (const float share : {0.001f, 0.01f, 0.02f, 0.05f, 0.2f, 0.9f}) {
-    for (int i = 0; i < 16; ++i) {
-      const float phi = two_pi * static_cast<float>(i) / 16;
-      const Vec3 point = Vec3(-0.5f, -1, 0.25f) +
-                         share * r * Vec3(std::cos(phi), 0, std::sin(phi));
-      const Vec3 above = point + Vec3(0, 0.5f, 0);
-      CAPTURE(share);
-      CAPTURE(phi);
-      // The floor by itself says where it is hit; the ball is in the way up.
-      Geometry floor;
-      floor.add(Plane{{0, 1, 0}, 1, &material});
-      const auto hit = floor.nearest_hit({above, {0, -1, 0}});
-      REQUIRE(hit);
-      CHECK(geometry.occluded(spawn_ray(*hit, {0, 1, 0}), 5));
+  for (const float floor_radius : {0.0f, 1e3f, 1e5f}) {
+    const auto add_floor = [&](Geometry& geometry) {
+      if (floor_radius == 0) {
+        geometry.add(Plane{{0, 1, 0}, 1, &material});
+      } else {
+        geometry.add(Sphere{
+            {-0.5f, -1 - floor_radius, 0.25f}, floor_radius, &material});
+      }
+    };
+    // The floor by itself says where it is hit; the ball is in the way up.
+    Geometry floor, both;
+    add_floor(floor);
+    add_floor(both);
+    both.add(Sphere{{-0.5f, -1 + r, 0.25f}, r, &material});
+    for (const float share : {0.001f, 0.01f, 0.02f, 0.05f, 0.2f, 0.9f}) {
+      for (int i = 0; i < 16; ++i) {
+        const float phi = two_pi * static_cast<float>(i) / 16;
+        const Vec3 point = Vec3(-0.5f, -1, 0.25f) +
+                           share * r * Vec3(std::cos(phi), 0, std::sin(phi));
+        const Vec3 above = point + Vec3(0, 0.5f, 0);
+        CAPTURE(floor_radius);
+        CAPTURE(share);
+        CAPTURE(phi);
+        const auto hit = floor.nearest_hit({above, {0, -1, 0}});
+        REQUIRE(hit);
+        CHECK(both.occluded(spawn_ray(*hit, {0, 1, 0}), 5));
+      }
     }
+  }
+}
+
+// The ray is drawn 1 to the side and 1 down; the exact answer is in doubles.
+TEST_CASE("a huge ball is hit where it is, not where its center rounds to") {
+  Random random(1, 0, 0);
+  for (const float radius : {1e2f, 1e3f, 1e4f, 1e5f}) {
+    Geometry geometry;
+    const Sphere ball{{0, -radius - 1, 0}, radius, &material};
+    geometry.add(ball);
+    double worst = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const Vec3 origin = random_position(random, 0.5f);
+      const Vec3 direction =
+          normalize(Vec3(random_position(random, 1)) - Vec3(0, 2, 0));
+      const auto hit = geometry.nearest_hit({origin, direction});
+      REQUIRE(hit);
+      const DoubleVec3 f = DoubleVec3(origin) - DoubleVec3(ball.center);
+      const DoubleVec3 d = glm::normalize(DoubleVec3(direction));
+      const double b = -glm::dot(f, d), r = static_cast<double>(radius);
+      const double exact = (glm::dot(f, f) - r * r) /
+                           (b + std::sqrt(r * r - (glm::dot(f, f) - b * b)));
+      worst = std::max(worst,
+                       std::abs(static_cast<double>(hit->distance) - exact));
+    }
+    CAPTURE(radius);
+    CHECK(worst < 1e-6);
   }
 }
 
