@@ -29,14 +29,19 @@ namespace lightwalk {
 // because a pane must not be thinner than both of its steps.
 
 // #region set-apart
-template <class Flat>
-Flat set_apart(Flat flat) {
-  const Material& material = *flat.material;
+/// How far a shape is moved from where it is.
+inline Vec3 step_apart(const FlatShape& flat) {
   const Vec3 half = 0.5f * (absolute(flat.edge_u) + absolute(flat.edge_v));
   const Vec3 middle = flat.corner + 0.5f * (flat.edge_u + flat.edge_v);
   const float unit = flat_rounding * max_component(absolute(middle) + half);
-  if (material.emits()) flat.corner += 8 * unit * flat.normal;
-  if (material.refracts()) flat.corner -= 2 * unit * flat.normal;
+  if (flat.material->emits()) return 8 * unit * flat.normal;
+  if (flat.material->refracts()) return -2 * unit * flat.normal;
+  return Vec3(0);
+}
+
+template <class Flat>
+Flat set_apart(Flat flat) {
+  flat.corner += step_apart(flat);
   return flat;
 }
 // #endregion set-apart

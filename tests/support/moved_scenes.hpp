@@ -106,8 +106,7 @@ void check_moved(const std::string& name, int samples, int max_bounces) {
   settings.samples_per_pixel = samples;
   settings.max_bounces = max_bounces;
   const auto picture = [&](const Motion& motion, float wall_radius = 0) {
-    return render_scene<PathTracer>(moved(scene, motion, wall_radius),
-                                    settings)
+    return paint<PathTracer>(moved(scene, motion, wall_radius), settings)
         .radiance;
   };
   const Image unmoved = picture({});
