@@ -4,9 +4,9 @@
 //
 // All shapes of a scene, each type by itself, and the two questions that a
 // path tracer asks of them: which surface does this ray meet first, and does
-// it reach that lamp? The second may stop at any shape that is in the way, and
-// need not look beyond the lamp. It is asked for every light at every hit, so
-// it is worth a function of its own.
+// it reach that lamp? The second may stop at any shape that is in the way,
+// and need not look beyond the lamp. It is asked for every light at every
+// hit, so it is worth a function of its own.
 //
 // Shapes stand in slots, eight to a pack. The slots are counted through all
 // types, in the order planes, spheres, rectangles, triangles. A ray that

@@ -24,9 +24,9 @@ namespace lightwalk {
 // another. Which of the two a ray meets first is then for rounding to say,
 // and it says something else for each ray. So rectangles and triangles that
 // shine are moved a little in front of where they are, and those of glass a
-// little behind. For a lamp it is eight units in the last place of its largest
-// coordinate, as many as rays from all sides are off. For glass it is two,
-// because a pane must not be thinner than both of its steps.
+// little behind. For a lamp it is eight units in the last place of its
+// largest coordinate, as many as rays from all sides are off. For glass it is
+// two, because a pane must not be thinner than both of its steps.
 
 // #region set-apart
 /// How far a shape is moved from where it is.
