@@ -72,14 +72,16 @@ inline Vec3 leave(const Hit& hit, const Vec3& direction) {
   const float side = std::copysign(1.0f, dot(direction, hit.normal));
   return hit.position + side * hit.rounding * hit.normal;
 }
+// #endregion leave-surface
 
+// #region spawn-ray
 /// The ray that leaves the surface at `hit` in the unit vector `direction`.
 inline Ray spawn_ray(const Hit& hit, const Vec3& direction) {
   const float cos_theta = dot(direction, hit.normal);
   return {leave(hit, direction), direction, hit.slot,
           -hit.diameter * cos_theta};
 }
-// #endregion leave-surface
+// #endregion spawn-ray
 
 /// The hit's normal, turned to the side that `direction` is on.
 inline Vec3 normal_towards(const Hit& hit, const Vec3& direction) {
