@@ -1,7 +1,7 @@
 #!/bin/sh
 # diff.sh A B SCENE: renders and compares. A and B are stages (stage3), images
-# (.exr, .pfm, .ppm), or any program with the stages' command line. What they are
-# rendered with beyond that is in OPTIONS, such as "--spp 64 --max-bounces 8".
+# (.exr, .pfm, .ppm), or any program with the stages' command line. What they
+# are rendered with beyond that is in OPTIONS, such as "--spp 64".
 set -eu
 build=${BUILD:-build}
 a=${1:?A is missing: a stage, an image or a program}

@@ -16,8 +16,8 @@ using lightwalk::RenderResult;
 using lightwalk::Texture;
 using namespace lightwalk::openimageio;
 
-/// libpng prints its errors itself, beside those that it returns. While one of
-/// these lives, nobody prints to stderr.
+/// libpng prints its errors itself, beside those that it returns. While one
+/// of these lives, nobody prints to stderr.
 class QuietStderr {
  public:
 #ifndef _WIN32

@@ -126,8 +126,8 @@ inline std::optional<int> parse_options(int argc, char** argv,
       ->check(CLI::IsMember({"cosine", "uniform"}));
   std::vector<std::string> steps;
   app.add_option("--tone-map", steps,
-                 "For .png, steps in order, like --tone-map clamp,gamma: clamp, "
-                 "equalize, gamma, reinhard [equalize,gamma]")
+                 "For .png, steps in order, like --tone-map clamp,gamma: "
+                 "clamp, equalize, gamma, reinhard [equalize,gamma]")
       ->delimiter(',')
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)
