@@ -118,8 +118,8 @@ void add_tone_options(CLI::App& app, std::vector<ToneStep>& steps,
                       std::optional<float>& gamma, float& exposure) {
   choose_among<ToneStep>(
       app.add_option("--tone-map", steps,
-                     "For .png, steps in order: clamp, equalize, gamma, "
-                     "reinhard [equalize,gamma]")
+                     "For .png, steps in order, like --tone-map clamp,gamma: "
+                     "clamp, equalize, gamma, reinhard [equalize,gamma]")
           ->delimiter(',')
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
           ->allow_extra_args(false),
