@@ -8,8 +8,8 @@
 #include "common/math/random.hpp"
 #include "common/render/film.hpp"
 #include "support/goldens.hpp"
-#include "tools/comparison.hpp"
-#include "tools/verdict.hpp"
+#include "compare/comparison.hpp"
+#include "compare/verdict.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;

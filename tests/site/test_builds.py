@@ -9,9 +9,9 @@ import sys
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BUILD = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
-SOURCES = ["common", "scenes", "slides", "stages", "tests/mistakes", "tools"]
+from compare.stages import BUILD, ROOT, built_stages
+
+SOURCES = ["common", "compare", "scenes", "slides", "stages", "tests/mistakes", "tools"]
 STAGE1 = "stages/1_diffuse/path_tracer.hpp"
 STAGE3 = "stages/3_specular_refraction/path_tracer.hpp"
 
@@ -28,7 +28,7 @@ class Copy(unittest.TestCase):
                             ignore=shutil.ignore_patterns("__pycache__"))
         self.build = self.root / "build"
         self.build.mkdir()
-        for made in ("figures", "node", *(f"stage{n}" for n in range(1, 6))):
+        for made in ("figures", "node", *built_stages()):
             (self.build / made).symlink_to((BUILD / made).resolve())
 
     def change(self, path, old, new):
@@ -39,11 +39,12 @@ class Copy(unittest.TestCase):
 
     def run_tool(self, tool, *arguments):
         return subprocess.run(
-            [sys.executable, self.root / f"tools/{tool}", *arguments],
-            cwd=self.root, capture_output=True, text=True)
+            [sys.executable, "-m", f"tools.{tool}", *arguments], cwd=self.root,
+            env=os.environ | {"LIGHTWALK_BUILD": str(self.build)},
+            capture_output=True, text=True)
 
     def assert_refused(self, tool, *parts, arguments=("--check",)):
-        run = self.run_tool(f"{tool}/build.py", self.build, *arguments)
+        run = self.run_tool(f"{tool}.build", *arguments)
         self.assert_one_line(run, tool, parts)
 
     def assert_one_line(self, run, program, parts):
@@ -56,7 +57,7 @@ class Copy(unittest.TestCase):
 
 class Book(Copy):
     def test_the_sources_as_they_are_pass(self):
-        run = self.run_tool("book/build.py", self.build, "--check")
+        run = self.run_tool("book.build", "--check")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_a_figure_that_nobody_makes(self):
@@ -102,7 +103,7 @@ class Book(Copy):
 
 class Slides(Copy):
     def test_the_sources_as_they_are_pass(self):
-        run = self.run_tool("slides/build.py", self.build, "--check")
+        run = self.run_tool("slides.build", "--check")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_a_region_that_there_is_not(self):
@@ -183,7 +184,7 @@ class Offline(Copy):
         pages = self.root / "pages"
         pages.mkdir()
         (pages / name).write_text(text)
-        return self.run_tool("book/offline.py", pages)
+        return self.run_tool("weave.offline", pages)
 
     def assert_found(self, name, text):
         run = self.check(name, text)

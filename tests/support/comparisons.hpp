@@ -7,7 +7,7 @@
 #include <string>
 
 #include "support/renders.hpp"
-#include "tools/comparison.hpp"
+#include "compare/comparison.hpp"
 
 namespace lightwalk::tests {
 

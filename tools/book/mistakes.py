@@ -8,7 +8,7 @@ import re
 import shutil
 import tomllib
 
-from literate import ROOT
+from compare.stages import BUILD, ROOT
 
 
 def quoted(text):
@@ -23,9 +23,9 @@ def change(entry):
     return [*lines, "```", ""]
 
 
-def picture(build, source, stage, name):
+def picture(source, stage, name):
     """The most telling golden that the mistake fails, if it was rendered."""
-    folder = build / "signatures" / f"stage{stage}" / name
+    folder = BUILD / "signatures" / f"stage{stage}" / name
     report = folder / "report.txt"
     if not report.exists():
         return []
@@ -43,17 +43,17 @@ def picture(build, source, stage, name):
     return []
 
 
-def gallery_entry(build, source, stage, entry):
+def gallery_entry(source, stage, entry):
     title = entry["name"].replace("-", " ").capitalize()
     lines = [f"### {title}", "", quoted(entry["sentence"]), "",
              *change(entry)]
     if entry.get("verdict") == "pass":
         return [*lines, "*Must pass: this is not a mistake.*", ""]
-    return [*lines, *picture(build, source, stage, entry["name"]),
+    return [*lines, *picture(source, stage, entry["name"]),
             f"Caught by: “{quoted(entry['caught_by'])}”", ""]
 
 
-def mistakes_page(build, source):
+def mistakes_page(source):
     """The page's lines, or nothing while nobody has collected mistakes."""
     page = ["# A gallery of mistakes", "",
             "Each of these was put into a correct header, built, and run "
@@ -68,6 +68,6 @@ def mistakes_page(build, source):
         stage = path.stem.removeprefix("stage")
         page += [f"## Stage {stage}", ""] if entries else []
         for entry in entries:
-            page += gallery_entry(build, source, stage, entry)
+            page += gallery_entry(source, stage, entry)
         count += len(entries)
     return page if count else None

@@ -2,9 +2,8 @@
 
 import re
 from dataclasses import dataclass
-from pathlib import Path
 
-from literate import ROOT, BookError
+from compare.stages import ROOT, Failure
 
 COMMENT = re.compile(r"<!--\s*(.*?)\s*-->", re.S)
 FENCE = re.compile(r"^(```|~~~).*?^\1\s*$", re.S | re.M)
@@ -54,7 +53,7 @@ class Deck:
         text = path.read_text()
         head = re.match(r"---\ntitle: (.*)\n---\n", text)
         if not head:
-            raise BookError(f"{path.relative_to(ROOT)}:1: a deck begins with "
+            raise Failure(f"{path.relative_to(ROOT)}:1: a deck begins with "
                             "'---', 'title: ...' and '---'")
         self.title = head[1]
         self.slides, line = [], 4
@@ -71,12 +70,12 @@ class Deck:
         """Every slide has a heading, and notes that begin with its time."""
         for slide in self.slides:
             if not slide.heading:
-                raise BookError(f"{slide.where}: a slide without '# heading'")
+                raise Failure(f"{slide.where}: a slide without '# heading'")
             if slide.minutes is None:
-                raise BookError(f"{slide.where}: the notes of "
+                raise Failure(f"{slide.where}: the notes of "
                                 f"'{slide.heading}' begin with '<!-- N min'")
             if re.search(r":\s", slide.notes):
-                raise BookError(f"{slide.where}: Marp takes a colon in notes "
+                raise Failure(f"{slide.where}: Marp takes a colon in notes "
                                 "for a setting; write the sentence without")
 
 

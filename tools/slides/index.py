@@ -3,8 +3,7 @@
 from html import escape
 from pathlib import Path
 
-from coverage import shown_on, table
-from deck import decks
+from tools.slides.coverage import shown_on, table
 
 
 def deck_row(deck):

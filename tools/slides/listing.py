@@ -7,8 +7,8 @@ from pygments import highlight
 from pygments.formatters import HtmlFormatter
 from pygments.lexers import CppLexer
 
-from literate import ROOT, BookError, region
-from weave import changed_lines, earlier_version
+from compare.stages import ROOT, Failure
+from tools.weave.literate import changed_lines, earlier_version, region
 
 STYLE = "tango"
 LARGEST, SMALLEST = 23, 15   # pixels of a slide of 1280 by 720
@@ -28,7 +28,7 @@ def excerpt(lines, steps, reference):
         first = next((n for n, line in enumerate(lines)
                       if line.strip().lstrip("/ ").startswith(step)), None)
         if first is None:
-            raise BookError(f"{reference}: no step begins '{step}'")
+            raise Failure(f"{reference}: no step begins '{step}'")
         last = next((n for n in range(first, len(lines))
                      if indent(lines[n]) < indent(lines[first])), len(lines))
         if chosen:
@@ -59,7 +59,7 @@ def listing(reference, steps="", width=1112, height=485):
     size = min(LARGEST, width / (max(map(len, lines)) * LETTER),
                height / (len(lines) * LINE))
     if size < SMALLEST:
-        raise BookError(f"{reference}: {len(lines)} lines of up to "
+        raise Failure(f"{reference}: {len(lines)} lines of up to "
                         f"{max(map(len, lines))} columns do not fit a slide; "
                         "name its steps")
     html = highlight("\n".join(lines), CppLexer(stripnl=False),
@@ -83,11 +83,11 @@ def fill(text, where, narrow=False):
         reference = options.pop("region")
         for key in options:
             if key not in ("steps", "width", "height"):
-                raise BookError(f"{where}: a listing has no option '{key}'")
+                raise Failure(f"{where}: a listing has no option '{key}'")
         try:
             return listing(reference, options.get("steps", ""),
                            int(options.get("width", 1046 if narrow else 1112)),
                            int(options.get("height", 485)))
-        except BookError as error:
-            raise BookError(f"{where}: {error}") from None
+        except Failure as error:
+            raise Failure(f"{where}: {error}") from None
     return re.sub(r"^```cpp (region=.*)\n```$", filled, text, flags=re.M)

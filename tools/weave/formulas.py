@@ -5,7 +5,8 @@ import re
 import subprocess
 from pathlib import Path
 
-from literate import ROOT, BookError, pieces
+from compare.stages import BUILD, ROOT, Failure
+from tools.weave.literate import pieces
 
 CODE = re.compile(r"^```.*?^```|`[^`\n]+`|^    .*?$", re.S | re.M)
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$]+?)\$", re.S)
@@ -29,10 +30,10 @@ def formulas_of_header(header):
             for formula in formulas("\n".join(piece.lines), name, piece.line)]
 
 
-def check_formulas(found, build):
+def check_formulas(found):
     script = Path(__file__).with_name("check_formulas.cjs")
-    run = subprocess.run(["node", script, build / "node/node_modules"],
+    run = subprocess.run(["node", script, BUILD / "node/node_modules"],
                          input=json.dumps(found), capture_output=True,
                          text=True)
     if run.returncode:
-        raise BookError((run.stdout or run.stderr).strip().split("\n")[0])
+        raise Failure((run.stdout or run.stderr).strip().split("\n")[0])

@@ -7,7 +7,7 @@ import re
 import sys
 from pathlib import Path
 
-from literate import BookError
+from compare.stages import Failure
 
 ELSEWHERE = r"[\"']?\s*(?:https?:|wss?:)?//[\w.-]+"
 REQUESTS = re.compile(
@@ -25,12 +25,12 @@ def check_offline(folder):
         found = REQUESTS.search(path.read_text())
         if found:
             address = next(filter(None, found.groups())).strip("\"' ")
-            raise BookError(f"{path.relative_to(folder.parent)}: asks "
+            raise Failure(f"{path.relative_to(folder.parent)}: asks "
                             f"{address}; pages must work without a network")
 
 
 if __name__ == "__main__":
     try:
         check_offline(Path(sys.argv[1]).resolve())
-    except BookError as error:
+    except Failure as error:
         sys.exit(f"offline: {error}")

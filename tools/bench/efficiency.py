@@ -1,7 +1,6 @@
-#!/usr/bin/env python3
 """What equal quality costs: compares estimators by variance times time.
 
-    tools/efficiency.py [--build build] [--chart build/convergence.svg]
+    python3 -m tools.bench.efficiency [--chart build/convergence.svg]
 
 A picture of n samples has the variance v/n and takes n t seconds, so twice
 the quality costs twice the time whatever n is, and 1/(v t) alone says how
@@ -13,15 +12,12 @@ the lower one is the better. Needs only the standard library.
 """
 
 import argparse
-import array
 import math
 import pathlib
-import re
-import subprocess
-import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+from compare.stages import SCENES, read_pfm, render
+
 COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7"]
 
 # A name, a scene, and the two that are compared.
@@ -37,30 +33,24 @@ COMPARISONS = [
 ]
 
 
-def render(program, arguments, scene, spp, seed):
+def paint(program, arguments, scene, spp, seed):
     """Seconds, and the picture's numbers."""
     with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / "picture.pfm"
-        text = subprocess.run(
-            [program, ROOT / "scenes" / f"{scene}.toml", "-o", path, "--size",
-             "128x128", "--spp", str(spp), "--seed", str(seed), *arguments],
-            check=True, capture_output=True, text=True,
-        ).stdout
-        numbers = array.array("f", path.read_bytes().split(b"\n", 3)[3])
-    if sys.byteorder == "big":
-        numbers.byteswap()
-    # The program rounds its time to 0.01 s, but not its samples per second.
-    rate, prefix = re.search(r"([\d.]+) ?([kM]?)samples/s", text).groups()
-    rate = float(rate) * {"": 1, "k": 1e3, "M": 1e6}[prefix]
-    return 128 * 128 * spp / rate, numbers
+        picture = pathlib.Path(folder) / "picture.pfm"
+        report = render(program, SCENES / f"{scene}.toml", picture, "--size", "128x128",
+                        "--spp", spp, "--seed", seed, *arguments)
+        *_, pixels = read_pfm(picture)
+    # The text's seconds are rounded, but not its samples per second.
+    seconds = 128 * 128 * spp / report["samples_per_second"]
+    return seconds, [channel for pixel in pixels for channel in pixel]
 
 
 def measure(program, arguments, scene, counts):
     """For each count of samples, the seconds and the variance left."""
     points = []
     for spp in counts:
-        time_a, a = render(program, arguments, scene, spp, 1)
-        time_b, b = render(program, arguments, scene, spp, 2)
+        time_a, a = paint(program, arguments, scene, spp, 1)
+        time_b, b = paint(program, arguments, scene, spp, 2)
         variance = sum((x - y) ** 2 for x, y in zip(a, b)) / len(a) / 2
         points.append((min(time_a, time_b), variance))
     return points
@@ -117,7 +107,6 @@ def chart(curves):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--build", default=ROOT / "build", type=pathlib.Path)
     parser.add_argument("--chart", type=pathlib.Path)
     parser.add_argument("--most-samples", default=64, type=int)
     options = parser.parse_args()
@@ -129,7 +118,7 @@ def main():
     for question, scene, estimators in COMPARISONS:
         first = None
         for name, program, arguments in estimators:
-            points = measure(options.build / program, arguments, scene, counts)
+            points = measure(program, arguments, scene, counts)
             curves.append((name, points))
             seconds, variance = points[-1]
             each = seconds / (128 * 128 * counts[-1])

@@ -1,88 +1,16 @@
-"""The figures that are drawn, as SVG: diagrams, curves, and one chart."""
+"""The figures that are drawn: diagrams, curves, and one chart."""
 
 import math
 import random
 
-from literate import BookError
-
-INK, SOFT, WARM, COOL, GREEN = "#222", "#888", "#b4491a", "#1f5fa8", "#3c7a3c"
-DRAWN = {}
-
-
-def diagram(name, width, height):
-    """Registers a function that returns a diagram's shapes."""
-    def register(function):
-        DRAWN[name] = (function, width, height)
-        return function
-    return register
-
-
-def draw(name, figures):
-    if name not in DRAWN:
-        raise BookError(f"diagrams.py draws no '{name}'")
-    function, width, height = DRAWN[name]
-    heads = "".join(
-        f'<marker id="{color[1:]}" viewBox="0 0 8 8" refX="7" refY="4" '
-        'markerWidth="7" markerHeight="7" orient="auto-start-reverse">'
-        f'<path d="M0 0.8 8 4 0 7.2z" fill="{color}"/></marker>'
-        for color in (INK, SOFT, WARM, COOL, GREEN))
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" '
-            f'viewBox="0 0 {width} {height}" width="{width}" '
-            f'height="{height}" font-family="Georgia, DejaVu Serif, serif" '
-            f'font-size="15" fill="{INK}"><defs>{heads}</defs>'
-            + "".join(function(figures)) + "</svg>\n")
-
-
-def line(x1, y1, x2, y2, color=INK, width=1.6, arrow=False, dash=""):
-    end = f' marker-end="url(#{color[1:]})"' if arrow else ""
-    dashes = f' stroke-dasharray="{dash}"' if dash else ""
-    return (f'<path d="M{x1:.1f} {y1:.1f} L{x2:.1f} {y2:.1f}" fill="none" '
-            f'stroke="{color}" stroke-width="{width}"{dashes}{end}/>')
-
-
-def curve(points, color=INK, width=1.8, dash=""):
-    path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
-    dashes = f' stroke-dasharray="{dash}"' if dash else ""
-    return (f'<polyline points="{path}" fill="none" stroke="{color}" '
-            f'stroke-width="{width}"{dashes}/>')
-
-
-def text(x, y, words, color=INK, anchor="middle", style="", size=15):
-    """Words; `w_o` in them becomes an omega with a lower o, and so on."""
-    for letter, sign in (("w", "ω"), ("t", "θ"), ("p", "p"), ("e", "η"),
-                         ("k", "k"), ("r", "r")):
-        for index in "oidsptr":
-            words = words.replace(
-                f"{letter}_{index}",
-                f'{sign}<tspan dy="4" font-size="11">{index}</tspan>'
-                '<tspan dy="-4">​</tspan>')
-    return (f'<text x="{x:.1f}" y="{y:.1f}" fill="{color}" '
-            f'font-size="{size}" text-anchor="{anchor}" '
-            f'font-style="{style or "normal"}">{words}</text>')
-
-
-def circle(x, y, r, fill=INK, stroke="none"):
-    return (f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{r}" fill="{fill}" '
-            f'stroke="{stroke}"/>')
-
-
-def polar(x, y, degrees, r):
-    """A point at an angle from straight up, to the right if positive."""
-    a = math.radians(degrees)
-    return x + r * math.sin(a), y - r * math.cos(a)
-
-
-def arc(x, y, first, last, r, color=INK):
-    steps = [first + (last - first) * i / 24 for i in range(25)]
-    return curve([polar(x, y, a, r) for a in steps], color, 1.2)
-
-
-def ray(x, y, degrees, r, color, width=2):
-    return line(x, y, *polar(x, y, degrees, r), color, width, True)
+from tools.weave.drawing import (COOL, GREEN, INK, SOFT, WARM, arc, axes,
+                                 circle, curve, diagram, line, polar, ray,
+                                 text)
+from tools.weave.renders import Render
 
 
 @diagram("hemisphere", 440, 270)
-def hemisphere(_):
+def hemisphere():
     x, y, r = 220, 220, 150
     yield line(30, y, 410, y, INK, 2)
     yield (f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" '
@@ -104,7 +32,7 @@ def hemisphere(_):
 
 
 @diagram("two-densities", 520, 300)
-def two_densities(_):
+def two_densities():
     drawn = random.Random(1)
     pairs = [(drawn.random(), drawn.random()) for _ in range(400)]
     for x, name, cosine in ((130, "uniform in solid angle", False),
@@ -123,7 +51,7 @@ def two_densities(_):
 
 
 @diagram("next-event", 520, 300)
-def next_event(_):
+def next_event():
     yield f'<path d="M30 30 H490 V270 H30" fill="none" stroke="{INK}" ' \
           'stroke-width="2"/>'
     yield circle(365, 150, 36, "#d9e4ef", COOL)
@@ -149,7 +77,7 @@ def next_event(_):
 
 
 @diagram("area-to-angle", 440, 290)
-def area_to_angle(_):
+def area_to_angle():
     x, y = 130, 250
     yield line(30, y, 300, y, INK, 2)
     yield f'<path d="M{x} {y} L286 62 L334 92z" fill="#fdf0c8"/>'
@@ -172,7 +100,7 @@ def area_to_angle(_):
 
 
 @diagram("snell", 520, 270)
-def snell(_):
+def snell():
     for x, angle in ((95, 25), (260, 41.81), (425, 60)):
         y = 120
         yield (f'<path d="M{x - 75} {y} H{x + 75} V250 H{x - 75}z" '
@@ -236,36 +164,30 @@ def random_number(y):
 
 
 @diagram("event-bar", 520, 250)
-def event_bar(_):
+def event_bar():
     yield from events(50)
     yield from random_number(50)
     yield from overfull(170)
 
 
 @diagram("events", 500, 120)
-def event_bar_alone(_):
+def event_bar_alone():
     yield from events(50)
     yield from random_number(50)
 
 
 @diagram("events-open", 500, 80)
-def event_bar_open(_):
+def event_bar_open():
     yield from events(12, "?")
 
 
 @diagram("overfull-bar", 500, 90)
-def overfull_bar(_):
+def overfull_bar():
     yield from overfull(25)
 
 
-def axes(x, y, width, height):
-    yield line(x, y, x + width, y, INK, 1.4)
-    yield line(x, y, x, y - height, INK, 1.4)
-
-
 @diagram("ray-counts", 560, 340)
-def ray_counts(figures):
-    from figures import Render
+def ray_counts():
     bounds = range(1, 11)
     x0, y0, dx, dy = 70, 290, 46, 68
     yield from axes(x0, y0, 480, 270)
@@ -278,8 +200,7 @@ def ray_counts(figures):
         points = []
         for bound in bounds:
             options = (f"--size 16x16 --spp 16 --max-bounces {bound}").split()
-            count = Render(figures.build, stage, "scenes/plastic.toml",
-                           options).rays_per_sample()
+            count = Render(stage, "scenes/plastic.toml", options).rays_per_sample()
             points.append((x0 + dx * bound, y0 - dy * math.log10(count)))
         yield curve(points, color, 2.2)
         for px, py in points:
@@ -304,7 +225,7 @@ def fresnel(degrees, ratio):
 
 
 @diagram("fresnel-curves", 520, 290)
-def fresnel_curves(_):
+def fresnel_curves():
     for x0, ratio, name, mark in ((44, 1 / 1.5, "from outside", 56.31),
                                   (294, 1.5, "from inside", 41.81)):
         y0, width, height = 235, 200, 190

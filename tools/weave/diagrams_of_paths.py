@@ -2,8 +2,8 @@
 
 import math
 
-from diagrams import (COOL, GREEN, INK, SOFT, WARM, arc, circle, curve,
-                      diagram, line, polar, ray, text)
+from tools.weave.drawing import (COOL, GREEN, INK, SOFT, WARM, arc, circle,
+                                 curve, diagram, line, polar, ray, text)
 
 
 def surface(x, y, half):
@@ -27,17 +27,17 @@ def lobe(x, y, name):
 
 
 @diagram("diffuse-lobe", 220, 150)
-def diffuse_lobe(_):
+def diffuse_lobe():
     yield from lobe(110, 130, "diffuse")
 
 
 @diagram("specular-lobe", 220, 150)
-def specular_lobe(_):
+def specular_lobe():
     yield from lobe(110, 130, "specular")
 
 
 @diagram("refraction-lobe", 220, 220)
-def refraction_lobe(_):
+def refraction_lobe():
     yield from lobe(110, 130, "refraction")
 
 
@@ -58,19 +58,19 @@ def mirror(x, y, at_surface):
 
 
 @diagram("mirror-directions", 540, 250)
-def mirror_directions(_):
+def mirror_directions():
     for x, name in ((135, "on the slide"), (405, "in the code")):
         yield from mirror(x, 180, x < 200)
         yield text(x, 232, name)
 
 
 @diagram("mirror", 280, 190)
-def mirror_of_the_slide(_):
+def mirror_of_the_slide():
     yield from mirror(140, 170, True)
 
 
 @diagram("one-path", 560, 300)
-def one_path(_):
+def one_path():
     yield f'<path d="M40 30 H530 V270 H40" fill="none" stroke="{INK}" ' \
           'stroke-width="2.4"/>'
     yield line(220, 30, 360, 30, WARM, 7)
@@ -102,7 +102,7 @@ def tree(x, y, angle, length, depth):
 
 
 @diagram("branching", 600, 300)
-def branching(_):
+def branching():
     yield from tree(150, 262, 0, 56, 5)
     yield text(150, 288, "every lobe: 2, 4, 8, 16, 32")
     x, y = 450, 262
@@ -116,7 +116,7 @@ def branching(_):
 
 
 @diagram("pinhole", 600, 270)
-def pinhole(_):
+def pinhole():
     origin = (60, 150)
     corners = [(380, 60), (450, 20), (450, 200), (380, 250)]
     path = " ".join(f"{x},{y}" for x, y in corners)
@@ -137,7 +137,7 @@ def pinhole(_):
 
 
 @diagram("densities", 560, 270)
-def densities(_):
+def densities():
     """Both densities of theta, and their distributions."""
     for x0, name, functions in (
             (40, "density of θ", ((math.sin, WARM),

@@ -3,7 +3,8 @@
 import difflib
 import re
 
-from literate import ROOT, BookError, pieces, regions, stage_headers
+from compare.stages import ROOT
+from tools.weave.literate import changed_lines, earlier_version, pieces
 
 HEADING = re.compile(r"^(#+) (.*)")
 
@@ -18,20 +19,6 @@ def fenced(name, argument, body, options=(), depth=3, mark=":"):
     head = [f"{fence}{{{name}}} {argument}".rstrip()]
     head += [f":{option}" for option in options]
     return head + ([""] if mark == ":" else []) + body + [fence, ""]
-
-
-def earlier_version(path, name):
-    """The region of that name in the nearest earlier stage, with its path."""
-    for other in reversed([p for p in stage_headers() if p < path]):
-        if path.parent.parent.name == "stages" and name in regions(other):
-            return other, regions(other)[name].lines
-    return None, None
-
-
-def changed_lines(old, new):
-    blocks = difflib.SequenceMatcher(None, old, new, False).get_opcodes()
-    return [n + 1 for tag, _, _, first, last in blocks if tag != "equal"
-            for n in range(first, last) if new[n].strip()]
 
 
 def mark(path, piece):
@@ -112,10 +99,3 @@ def weave(path, figures=None):
         for piece in code:
             page += figures.pop(piece.region, [])
     return page
-
-
-def title_of(path):
-    for heading, _, _ in rows(path):
-        if heading.startswith("# "):
-            return heading[2:]
-    raise BookError(f"{path.relative_to(ROOT)}: has no title")

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Times the lab's boxes in Mitsuba 3 and in stage 4, side by side.
 
     make bench-peers
@@ -15,8 +14,6 @@ Without it the scalar variant is timed alone.
 
 import argparse
 import math
-import pathlib
-import re
 import statistics
 import subprocess
 import sys
@@ -27,7 +24,8 @@ import tomllib
 import mitsuba
 import numpy
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+from compare.stages import SCENES, read_pfm, render
+
 FAR = 40  # planes are infinite here, and rectangles there
 
 
@@ -132,26 +130,20 @@ class Peer:
 
 
 class Ours:
-    def __init__(self, program, path):
-        self.command = [program, path]
-        self.variant = "stage4"
+    variant = "stage4"
+
+    def __init__(self, scene):
+        self.scene = scene
 
     def render(self, spp, seed):
         with tempfile.NamedTemporaryFile(suffix=".pfm") as file:
-            text = subprocess.run(
-                [*self.command, "-o", file.name, "--spp", str(spp),
-                 "--seed", str(seed)],
-                check=True, capture_output=True, text=True,
-            ).stdout
-            data = pathlib.Path(file.name).read_bytes().split(b"\n", 3)[3]
-        seconds = float(re.search(r"([\d.]+) s, ", text).group(1))
-        image = numpy.frombuffer(data, "<f4").reshape(-1, 3)
-        return seconds, image.mean(axis=0)
+            report = render("stage4", self.scene, file.name, "--spp", spp, "--seed", seed)
+            *_, pixels = read_pfm(file.name)
+        return report["seconds"], numpy.mean(pixels, axis=0)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--build", default=ROOT / "build", type=pathlib.Path)
     parser.add_argument("--repetitions", default=5, type=int)
     parser.add_argument("--spp", default=32, type=int)
     options = parser.parse_args()
@@ -171,9 +163,9 @@ def main():
     print("|---|---|---|---|")
     for name in ("cornell_box_point_diffuse", "cornell_box_ceiling_diffuse",
                  "cornell_box_point", "cornell_box_ceiling"):
-        path = ROOT / "scenes" / f"{name}.toml"
+        path = SCENES / f"{name}.toml"
         toml = tomllib.loads(path.read_text())
-        programs = [Ours(options.build / "stage4", path)]
+        programs = [Ours(path)]
         programs += [Peer(variant, toml) for variant in variants]
         times = [[] for _ in programs]
         means = [[] for _ in programs]

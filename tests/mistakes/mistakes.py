@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Proves what the tests are worth: puts mistakes into the stages, one by one.
 
 Each mistake of tests/mistakes/stageN.toml is a small change to the header of
@@ -22,24 +21,21 @@ import hashlib
 import html
 import json
 import os
-import pathlib
 import re
 import resource
 import shlex
 import subprocess
 import sys
 import tomllib
+from pathlib import Path
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
-CATALOGUE = ROOT / "tests" / "mistakes"
+from compare.stages import BUILD, ROOT, Failure, stage_headers
+
+CATALOGUE = Path(__file__).parent
 
 # Seconds of processor time, not of the clock: a busy machine does not make a
 # mistake look caught. A right suite needs a fifth of it.
 TIME_LIMIT = 45
-
-
-class Failure(Exception):
-    """Something that the user has to put right."""
 
 
 @dataclasses.dataclass
@@ -119,33 +115,32 @@ def check_catalogue(mistakes):
 class Suite:
     """How the build compiles and links one stage's suite."""
 
-    def __init__(self, build, stage):
-        self.build = build
+    def __init__(self, stage):
         self.stage = stage
         self.target = f"stage{stage}_tests"
-        headers = list(ROOT.glob(f"stages/{stage}_*/path_tracer.hpp"))
-        if not headers:
+        self.header = next((path for path in stage_headers()
+                            if path.parent.name[0] == str(stage)), None)
+        if not self.header:
             raise Failure(f"stage {stage} is not in this tree")
-        self.header = headers[0]
         self.compile = {}
-        for entry in json.loads((build / "compile_commands.json").read_text()):
+        for entry in json.loads((BUILD / "compile_commands.json").read_text()):
             words = shlex.split(entry["command"])
             if f"{self.target}.dir/" in words[words.index("-o") + 1]:
-                self.compile[pathlib.Path(entry["file"])] = words
+                self.compile[Path(entry["file"])] = words
         self.link = self.link_command()
         self.given_key = self.hash_given()
 
     def link_command(self):
         """The command that links the suite, as a list of words."""
-        if (self.build / "build.ninja").exists():
+        if (BUILD / "build.ninja").exists():
             lines = subprocess.run(
-                ["ninja", "-C", self.build, "-t", "commands", self.target],
+                ["ninja", "-C", BUILD, "-t", "commands", self.target],
                 check=True, capture_output=True, text=True).stdout
             line = lines.strip().splitlines()[-1]
             line = line.removeprefix(": && ").removesuffix(" && :")
-            folder = self.build
+            folder = BUILD
         else:
-            folder = self.build / "tests"
+            folder = BUILD / "tests"
             line = (folder / "CMakeFiles" / f"{self.target}.dir" /
                     "link.txt").read_text()
         words = []
@@ -159,11 +154,10 @@ class Suite:
     def hash_given(self):
         """Of all that a mistake does not change, but for the suite itself."""
         files = [path for pattern in ("common/**/*.hpp", "tests/support/*",
-                                      "tests/golden/**/*", "tools/*.hpp",
+                                      "tests/golden/**/*", "compare/*.hpp",
                                       "scenes/**/*")
                  for path in ROOT.glob(pattern) if path.is_file()]
-        files += [path for path in ROOT.glob("stages/*/path_tracer.hpp")
-                  if int(path.parent.name[0]) < self.stage]
+        files += [path for path in stage_headers() if path < self.header]
         whole = hashlib.sha256(repr(self.link).encode())
         for path in sorted(files):
             whole.update(str(path).encode() + path.read_bytes())
@@ -273,10 +267,10 @@ def limit_time():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def run_suite(program, build):
+def run_suite(program):
     """The tests that failed, and how the program ended."""
     # The suite loads the library that reads pictures from the build folder.
-    paths = {name: str(build) for name in ("LD_LIBRARY_PATH",
+    paths = {name: str(BUILD) for name in ("LD_LIBRARY_PATH",
                                            "DYLD_LIBRARY_PATH")}
     try:
         done = subprocess.run([program, "-r=xml"], capture_output=True,
@@ -319,7 +313,7 @@ def try_mistake(mistake, suite, given, folder):
         place = suite.link.index("-o")
         run(suite.link[:place] + [str(target), "-o", str(program)] +
             suite.link[place + 2:], "does not link")
-        result.caught, result.end = run_suite(program, suite.build)
+        result.caught, result.end = run_suite(program)
         program.unlink()
         target.unlink()
     except Failure as failure:
@@ -380,11 +374,8 @@ def main():
     parser.add_argument("names", nargs="*", help="only these mistakes")
     parser.add_argument("--stage", type=int, help="only this stage's")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build",
-                        help="a configured and built folder")
     options = parser.parse_args()
-    build = options.build.resolve()
-    folder = build / "mistakes"
+    folder = BUILD / "mistakes"
     try:
         mistakes = [one for path in sorted(CATALOGUE.glob("stage?.toml"))
                     for one in read_mistakes(path)]
@@ -395,7 +386,7 @@ def main():
                   if (not options.names or one.name in options.names)
                   and options.stage in (None, one.stage)]
         check_catalogue(chosen)
-        suites = {stage: Suite(build, stage)
+        suites = {stage: Suite(stage)
                   for stage in sorted({one.stage for one in chosen})}
         given = {stage: precompile(suite, folder / f"given{stage}")
                  for stage, suite in suites.items()}
