@@ -4,7 +4,6 @@ All of the tree's Python stands on this. LIGHTWALK_BUILD names the build
 folder, if it is not build/.
 """
 
-import functools
 import json
 import os
 import re
@@ -28,23 +27,15 @@ def stage_headers():
 
 
 def core_headers():
-    """The core's headers in the order in which common/README.md lists them.
-
-    All that have a title are in it, once, and all that it lists are there.
-    """
+    """The core's headers in the order of its map, common/README.md."""
     text = (ROOT / "common/README.md").read_text()
-    names = re.findall(r"^- \[.*?\]\((\S+?\.hpp)\)", text, re.MULTILINE)
-    titled = {
-        path.relative_to(ROOT / "common").as_posix()
-        for path in ROOT.glob("common/**/*.hpp")
-        if re.search(r"^// # ", path.read_text(), re.MULTILINE)
-    }
-    wrong = [(name, "is not there") for name in names if not (ROOT / "common" / name).is_file()]
-    wrong += [(name, "stands there twice") for name in names if names.count(name) > 1]
-    wrong += [(name, "has a title and is missing") for name in sorted(titled - set(names))]
-    if wrong:
-        raise Failure("common/README.md: {} {}".format(*wrong[0]))
-    return [ROOT / "common" / name for name in names]
+    listed = [ROOT / "common" / name for name in re.findall(r"\]\((\w+/\w+\.hpp)\)", text)]
+    odd = set(ROOT.glob("common/**/*.hpp")) ^ set(listed)
+    odd = odd or {path for path in listed if listed.count(path) > 1}
+    if odd:
+        names = ", ".join(sorted(path.relative_to(ROOT).as_posix() for path in odd))
+        raise Failure(f"common/README.md: missing, listed twice or not there: {names}")
+    return listed
 
 
 def built_stages():
@@ -66,31 +57,13 @@ def run(program, *arguments, folder=None, **options):
 
 
 def render(program, scene, image, *options):
-    """Renders the scene to the image, and returns what --report says of it."""
+    """Renders the scene to the image, and returns the program's report of it."""
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.json"
-        asked = ["--report", report] if has_report(program) else []
-        done = run(program, scene, "-o", image, *options, *asked)
+        done = run(program, scene, "-o", image, "--report", report, *options)
         if done.returncode:
             raise Failure(f"{program}: {done.stderr.strip()}")
-        return json.loads(report.read_text()) if asked else report_of(done.stdout)
-
-
-# These two go once every program has --report.
-@functools.cache
-def has_report(program):
-    return "--report" in run(program, "--help").stdout
-
-
-def report_of(text):
-    seconds, rate, prefix, rays = re.search(
-        r"([\d.]+) s, ([\d.e+]+) ?([kMG]?)samples/s, ([\d.e+]+) rays per sample", text
-    ).groups()
-    return {
-        "seconds": float(seconds),
-        "samples_per_second": float(rate) * {"": 1, "k": 1e3, "M": 1e6, "G": 1e9}[prefix],
-        "rays_per_sample": float(rays),
-    }
+        return json.loads(report.read_text())
 
 
 def read_pfm(path):

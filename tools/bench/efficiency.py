@@ -40,9 +40,7 @@ def paint(program, arguments, scene, spp, seed):
         report = render(program, SCENES / f"{scene}.toml", picture, "--size", "128x128",
                         "--spp", spp, "--seed", seed, *arguments)
         *_, pixels = read_pfm(picture)
-    # The text's seconds are rounded, but not its samples per second.
-    seconds = 128 * 128 * spp / report["samples_per_second"]
-    return seconds, [channel for pixel in pixels for channel in pixel]
+    return report["seconds"], [channel for pixel in pixels for channel in pixel]
 
 
 def measure(program, arguments, scene, counts):

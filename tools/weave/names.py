@@ -29,7 +29,7 @@ def exists(code):
     option = re.match(r"--([a-z-]+)", code)
     if option:
         return any(f'"--{option[1]}' in path.read_text()
-                   for path in ROOT.glob("common/program/*.hpp"))
+                   for path in ROOT.glob("common/program/*.?pp"))
     words = IDENTIFIER.findall(re.sub(r'"[^"]*"', "", code))
     return all(word in known_names() for word in words)
 
