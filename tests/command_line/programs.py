@@ -7,7 +7,7 @@ import tempfile
 import unittest
 
 from compare import stages
-from compare.stages import BUILD, ROOT, SCENES, built_stages, read_pfm  # noqa: F401
+from compare.stages import BUILD, SCENES, built_stages, read_pfm  # noqa: F401
 
 # No test expects anything to take so long: a hang shall end in a failure.
 HANG = 120

@@ -100,9 +100,7 @@ class Options(Programs):
         for program in built_stages():
             result = self.run_here("--version", program=program)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
-            self.assertRegex(
-                result.stdout, rf"^{program} \(Lightwalk\) \d+\.\d+\.\d+\n$"
-            )
+            self.assertRegex(result.stdout, rf"^{program} \(Lightwalk\) \d+\.\d+\.\d+\n$")
 
     def test_a_scene_and_an_output_are_needed(self):
         self.wrong(about="scene is required")
@@ -132,9 +130,7 @@ class Options(Programs):
         ]:
             for value in values:
                 with self.subTest(f"{option} {value}"):
-                    self.wrong(
-                        BOX, "-o", "out.pfm", f"{option}={value}", about=option
-                    )
+                    self.wrong(BOX, "-o", "out.pfm", f"{option}={value}", about=option)
 
     def test_the_ends_of_the_ranges_are_taken(self):
         for option, *values in [
@@ -148,9 +144,7 @@ class Options(Programs):
             for value in values:
                 with self.subTest(f"{option} {value}"):
                     small = [] if option == "--size" else ["--size", "2x2"]
-                    self.render(
-                        *["-o", "out.pfm", "--spp", "1", option, value, *small]
-                    )
+                    self.render(*["-o", "out.pfm", "--spp", "1", option, value, *small])
 
     def test_the_ending_says_the_format(self):
         for name in ["out", "out.jpg", "out.pfm.gz", "pfm", ".pfm", "out."]:
@@ -169,9 +163,7 @@ class Renders(Programs):
     def test_no_number_of_threads_changes_a_bit(self):
         for threads in [1, 2, 7]:
             pfm, exr = f"{threads}.pfm", f"{threads}.exr"
-            self.render(
-                "-o", pfm, "-o", exr, "--threads", threads, *self.small
-            )
+            self.render("-o", pfm, "-o", exr, "--threads", threads, *self.small)
             why = f"{threads} threads give another picture than one"
             self.assertEqual(self.bytes_of(pfm), self.bytes_of("1.pfm"), why)
             self.assertEqual(self.bytes_of(exr), self.bytes_of("1.exr"), why)
@@ -179,13 +171,9 @@ class Renders(Programs):
     def test_no_instruction_set_changes_a_bit(self):
         self.render("-o", "fast.pfm", *self.small)
         environment = {**os.environ, "LIGHTWALK_INSTRUCTIONS": "baseline"}
-        result = self.run_here(
-            BOX, "-o", "baseline.pfm", *self.small, env=environment
-        )
+        result = self.run_here(BOX, "-o", "baseline.pfm", *self.small, env=environment)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(
-            self.bytes_of("fast.pfm"), self.bytes_of("baseline.pfm")
-        )
+        self.assertEqual(self.bytes_of("fast.pfm"), self.bytes_of("baseline.pfm"))
 
     def test_two_renders_are_equal_files_in_every_format(self):
         for name in ["a", "b"]:
@@ -225,9 +213,7 @@ class Renders(Programs):
         self.assertNotEqual(self.bytes_of("out.pfm"), self.bytes_of("0.pfm"))
 
     def test_samples_and_bounces_win_over_the_scene(self):
-        said = self.render(
-            *["-o", "out.pfm", "--size=8x8", "--spp=2", "--max-bounces=0"]
-        )
+        said = self.render(*["-o", "out.pfm", "--size=8x8", "--spp=2", "--max-bounces=0"])
         self.assertIn("out.pfm: 8 x 8, 2 samples per pixel\n", said)
 
     def test_no_bounces_show_only_what_emits(self):
@@ -252,9 +238,7 @@ class Renders(Programs):
             )
             *_, pixels = read_pfm(self.folder / f"{sampling}.pfm")
             sums[sampling] = sum(map(sum, pixels))
-        self.assertNotEqual(
-            self.bytes_of("cosine.pfm"), self.bytes_of("uniform.pfm")
-        )
+        self.assertNotEqual(self.bytes_of("cosine.pfm"), self.bytes_of("uniform.pfm"))
         self.assertAlmostEqual(sums["uniform"] / sums["cosine"], 1, delta=0.05)
 
     def test_quiet_says_nothing(self):
@@ -328,9 +312,7 @@ class WhatCannotBeWritten(Programs):
     def refused(self, path, message, *others):
         before = self.files()
         result = self.run_here(BOX, *others, "-o", path, *FOR_EVER)
-        self.assert_one_line(
-            result, f"stage1: {path} cannot be written: {message}"
-        )
+        self.assert_one_line(result, f"stage1: {path} cannot be written: {message}")
         self.assertEqual(self.files(), before)
 
     def test_into_a_folder_that_is_not_there(self):
@@ -373,8 +355,7 @@ class WhatCannotBeWritten(Programs):
             )
             self.assert_one_line(
                 result,
-                f"stage1: out.{ending} cannot be written: the image library "
-                "cannot be loaded: ...",
+                f"stage1: out.{ending} cannot be written: the image library cannot be loaded: ...",
             )
             self.assertEqual(self.files(), ["stage1"])
 
@@ -401,9 +382,7 @@ class WhatCannotBeWritten(Programs):
                     preexec_fn=let_no_file_grow,
                     restore_signals=False,
                 )
-                self.assert_one_line(
-                    result, f"stage1: {out.name} cannot be written: ..."
-                )
+                self.assert_one_line(result, f"stage1: {out.name} cannot be written: ...")
                 self.assertEqual(out.read_text(), "the old file")
                 self.assertEqual(self.files(), [out.name])
                 out.unlink()
@@ -429,8 +408,7 @@ class CtrlC(Programs):
         self.assertEqual(process.returncode, 130, stderr)
         # No progress where stderr is not a terminal: this line is all.
         said = re.fullmatch(
-            r"stage1: interrupted after (\d+) of 1000000000 samples per pixel\n",
-            stderr,
+            r"stage1: interrupted after (\d+) of 1000000000 samples per pixel\n", stderr
         )
         self.assertIsNotNone(said, stderr)
         samples = int(said[1])

@@ -84,14 +84,12 @@ class Pixels(InFolder):
 
     def told_of(self, shapes, *arguments, program="stage4", pixel="0,0"):
         known = [
-            line for line in CAMERA.splitlines()
-            if program not in ("stage1", "stage2")
-            or not re.search(r"\bk[st] =", line)
+            line
+            for line in CAMERA.splitlines()
+            if program not in ("stage1", "stage2") or not re.search(r"\bk[st] =", line)
         ]
         (self.folder / "scene.toml").write_text("\n".join([*known, shapes]))
-        return self.told(
-            program, "scene.toml", "--pixel", pixel, *arguments
-        )
+        return self.told(program, "scene.toml", "--pixel", pixel, *arguments)
 
     def radiance(self, story):
         last = story.splitlines()[-1]
@@ -100,8 +98,7 @@ class Pixels(InFolder):
 
     def picture(self, program, scene, *arguments):
         result = run(
-            *[program, scene, "-o", "picture.pfm", "--quiet", *arguments],
-            folder=self.folder,
+            *[program, scene, "-o", "picture.pfm", "--quiet", *arguments], folder=self.folder
         )
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return read_pfm(self.folder / "picture.pfm")
@@ -116,8 +113,7 @@ class ThePathOfThePicture(Pixels):
                 self.assertGreater(len(set(pixels)), 4, "all pixels alike")
                 for column, row in [(0, 0), (7, 0), (3, 1), (2, 6), (5, 5)]:
                     story = self.told(
-                        *[program, scene, *SMALL],
-                        *["--pixel", f"{column},{row}", "--sample", 0],
+                        *[program, scene, *SMALL], *["--pixel", f"{column},{row}", "--sample", 0]
                     )
                     self.assertEqual(
                         self.radiance(story),
@@ -133,8 +129,7 @@ class ThePathOfThePicture(Pixels):
             sums = [0, 0, 0]
             for sample in range(8):
                 story = self.told(
-                    *[program, scene, *options],
-                    *["--pixel", "4,5", "--sample", sample],
+                    *[program, scene, *options], *["--pixel", "4,5", "--sample", sample]
                 )
                 for channel, value in enumerate(self.radiance(story)):
                     sums[channel] += value
@@ -146,12 +141,8 @@ class ThePathOfThePicture(Pixels):
     def test_the_first_sample_is_told_unless_another_is_asked_for(self):
         scene = SCENES / "cornell_box_ceiling_diffuse.toml"
         first = self.told("stage1", scene, "--pixel=9,9")
-        self.assertEqual(
-            first, self.told("stage1", scene, "--pixel=9,9", "--sample=0")
-        )
-        self.assertNotEqual(
-            first, self.told("stage1", scene, "--pixel=9,9", "--sample=1")
-        )
+        self.assertEqual(first, self.told("stage1", scene, "--pixel=9,9", "--sample=0"))
+        self.assertNotEqual(first, self.told("stage1", scene, "--pixel=9,9", "--sample=1"))
 
     def test_no_image_is_written(self):
         scene = SCENES / "cornell_box_ceiling_diffuse.toml"
@@ -241,9 +232,7 @@ class WhatIsTold(Pixels):
     def found(self, shapes, text, *arguments, program="stage4"):
         """The first of the pixel's paths of which this is told."""
         for sample in range(60):
-            story = self.told_of(
-                shapes, "--sample", sample, *arguments, program=program
-            )
+            story = self.told_of(shapes, "--sample", sample, *arguments, program=program)
             if text in story:
                 return story
         self.fail(f"of no path is told {text!r}: {story}")
@@ -251,9 +240,7 @@ class WhatIsTold(Pixels):
     def test_a_light_behind_something(self):
         shapes = square("white", 2) + sphere("white", -1, 0.5) + point_light(-2)
         story = self.told_of(shapes)
-        self.assertRegex(
-            story, r"light .*, +-\d\.\d+\)  at [\d.]+: something is between\n"
-        )
+        self.assertRegex(story, r"light .*, +-\d\.\d+\)  at [\d.]+: something is between\n")
         self.assertRegex(story, r"adds .*\( +0, +0, +0\)  direct light\n")
 
     def test_how_a_path_goes_on_and_ends(self):
@@ -300,9 +287,7 @@ class WhatIsTold(Pixels):
         ways = [rest for label, rest in first if label == "goes"]
         self.assertEqual(
             [re.search(r"\)  (.*)", way)[1] for way in ways],
-            ["specular", "refraction"]
-            if "specular" in ways[0]
-            else ["refraction", "specular"],
+            ["specular", "refraction"] if "specular" in ways[0] else ["refraction", "specular"],
         )
         self.assertEqual(dict(first)["ends"], "leaves the scene")
         # Inside: one branch goes out, the other stays; both follow vertex 1.
@@ -314,9 +299,7 @@ class WhatIsTold(Pixels):
 class WrongUsage(Pixels):
     def wrong(self, *arguments, about):
         result = run(
-            *["stage1", SCENES / "cornell_box_ceiling_diffuse.toml"],
-            *arguments,
-            folder=self.folder,
+            *["stage1", SCENES / "cornell_box_ceiling_diffuse.toml"], *arguments, folder=self.folder
         )
         self.assertEqual((result.stdout, result.returncode), ("", 2))
         self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
@@ -326,21 +309,27 @@ class WrongUsage(Pixels):
     def test_a_pixel_outside_the_picture(self):
         for pixel in ["256,0", "0,256", "2147483647,0"]:
             self.wrong(
-                "--pixel", pixel,
-                about=f"{pixel} is outside the picture of 256 x 256 pixels",
+                "--pixel", pixel, about=f"{pixel} is outside the picture of 256 x 256 pixels"
             )
         self.wrong(
-            "--pixel=4,3", "--size=4x4096",
-            about="4,3 is outside the picture of 4 x 4096 pixels",
+            "--pixel=4,3", "--size=4x4096", about="4,3 is outside the picture of 4 x 4096 pixels"
         )
-        self.told(
-            "stage1", SCENES / "cornell_box_ceiling_diffuse.toml",
-            "--pixel=255,255",
-        )
+        self.told("stage1", SCENES / "cornell_box_ceiling_diffuse.toml", "--pixel=255,255")
 
     def test_what_is_no_pixel(self):
-        for text in ["", "1", "1,", ",1", "1,2,3", "-1,0", "0,-1", "a,b",
-                     "1.5,2", "1;2", "99999999999,0"]:
+        for text in [
+            "",
+            "1",
+            "1,",
+            ",1",
+            "1,2,3",
+            "-1,0",
+            "0,-1",
+            "a,b",
+            "1.5,2",
+            "1;2",
+            "99999999999,0",
+        ]:
             self.wrong(f"--pixel={text}", about="--pixel")
 
     def test_what_is_no_sample(self):

@@ -218,8 +218,7 @@ class TheSchemaAndTheLoader(InFolder):
                 self.assertEqual(
                     schema is None,
                     loader is None,
-                    f"\nthe schema says {schema or 'yes'}"
-                    f"\nthe loader says {loader or 'yes'}",
+                    f"\nthe schema says {schema or 'yes'}\nthe loader says {loader or 'yes'}",
                 )
         return accepted
 

@@ -7,9 +7,9 @@
 
 #include "common/math/random.hpp"
 #include "common/render/film.hpp"
-#include "support/goldens.hpp"
 #include "compare/comparison.hpp"
 #include "compare/verdict.hpp"
+#include "support/goldens.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;

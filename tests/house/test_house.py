@@ -1,6 +1,6 @@
 """The house's arrows point one way, and its map shows all that there is.
 
-    PYTHONPATH=. python3 tests/house/test_house.py    prints the arrows too
+PYTHONPATH=. python3 tests/house/test_house.py    prints the arrows too
 """
 
 import collections
@@ -64,9 +64,7 @@ def ranks():
 class House(unittest.TestCase):
     def test_no_arrow_points_back(self):
         rank = ranks()
-        back = [
-            f"{a} -> {b}" for a, b in arrows() if a != b and rank.get(a, -1) <= rank.get(b, 99)
-        ]
+        back = [f"{a} -> {b}" for a, b in arrows() if a != b and rank.get(a, -1) <= rank.get(b, 99)]
         self.assertEqual(back, [])
 
     def test_the_map_lists_the_core_as_it_is(self):

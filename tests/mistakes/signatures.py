@@ -39,9 +39,7 @@ def build_suite(mistake, suite, given, folder):
     catalogue.run(suite.compile_command(source, target, options), mistake.name)
     place = suite.link.index("-o")
     rest = suite.link[place + 2 :]
-    catalogue.run(
-        [*suite.link[:place], str(target), "-o", str(program), *rest], mistake.name
-    )
+    catalogue.run([*suite.link[:place], str(target), "-o", str(program), *rest], mistake.name)
     target.unlink()
     return program
 
@@ -60,8 +58,13 @@ def run_goldens(program, seed, name=None):
             old.unlink()
     try:
         return subprocess.run(
-            [program], env=environment, cwd=program.parent, capture_output=True,
-            text=True, errors="replace", timeout=600,
+            [program],
+            env=environment,
+            cwd=program.parent,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=600,
             preexec_fn=catalogue.limit_time,
         ).stdout
     except subprocess.TimeoutExpired:
@@ -117,14 +120,12 @@ def main():
         one
         for path in sorted(catalogue.CATALOGUE.glob("stage?.toml"))
         for one in catalogue.read_mistakes(path)
-        if one.verdict == "fail" and options.stage in (None, one.stage)
+        if one.verdict == "fail"
+        and options.stage in (None, one.stage)
         and (not options.names or f"stage{one.stage}/{one.name}" in options.names)
     ]
     suites = {n: catalogue.Suite(n) for n in sorted({m.stage for m in mistakes})}
-    given = {
-        n: catalogue.precompile(suite, folder / f"given{n}")
-        for n, suite in suites.items()
-    }
+    given = {n: catalogue.precompile(suite, folder / f"given{n}") for n, suite in suites.items()}
 
     def render(mistake):
         suite = suites[mistake.stage]
@@ -139,9 +140,7 @@ def main():
     except Failure as failure:
         sys.exit(f"signatures: {failure}")
     collect(rows)
-    reports = in_parallel(
-        options.jobs, lambda row: run_goldens(row[1], 77), rows
-    )
+    reports = in_parallel(options.jobs, lambda row: run_goldens(row[1], 77), rows)
     for (_, program), report in zip(rows, reports):
         (program.parent / "report.txt").write_text(report)
     table = confusion(rows, reports)

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "support/renders.hpp"
 #include "compare/comparison.hpp"
+#include "support/renders.hpp"
 
 namespace lightwalk::tests {
 

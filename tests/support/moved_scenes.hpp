@@ -8,8 +8,8 @@
 
 #include <array>
 
-#include "support/renders.hpp"
 #include "compare/comparison.hpp"
+#include "support/renders.hpp"
 
 namespace lightwalk::tests {
 

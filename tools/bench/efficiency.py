@@ -22,14 +22,27 @@ COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7"]
 
 # A name, a scene, and the two that are compared.
 COMPARISONS = [
-    ("finding the lamp or asking it", "cornell_box_lamp_diffuse",
-     [("stage 1", "stage1", []), ("stage 2", "stage2", [])]),
-    ("all lobes or one", "plastic",
-     [("stage 3", "stage3", ["--max-bounces", "6"]),
-      ("stage 4", "stage4", ["--max-bounces", "6"])]),
-    ("uniform or cosine", "cornell_box_ceiling_diffuse",
-     [("uniform", "stage1", ["--sampling", "uniform"]),
-      ("cosine", "stage1", ["--sampling", "cosine"])]),
+    (
+        "finding the lamp or asking it",
+        "cornell_box_lamp_diffuse",
+        [("stage 1", "stage1", []), ("stage 2", "stage2", [])],
+    ),
+    (
+        "all lobes or one",
+        "plastic",
+        [
+            ("stage 3", "stage3", ["--max-bounces", "6"]),
+            ("stage 4", "stage4", ["--max-bounces", "6"]),
+        ],
+    ),
+    (
+        "uniform or cosine",
+        "cornell_box_ceiling_diffuse",
+        [
+            ("uniform", "stage1", ["--sampling", "uniform"]),
+            ("cosine", "stage1", ["--sampling", "cosine"]),
+        ],
+    ),
 ]
 
 
@@ -37,8 +50,18 @@ def paint(program, arguments, scene, spp, seed):
     """Seconds, and the picture's numbers."""
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "picture.pfm"
-        report = render(program, SCENES / f"{scene}.toml", picture, "--size", "128x128",
-                        "--spp", spp, "--seed", seed, *arguments)
+        report = render(
+            program,
+            SCENES / f"{scene}.toml",
+            picture,
+            "--size",
+            "128x128",
+            "--spp",
+            spp,
+            "--seed",
+            seed,
+            *arguments,
+        )
         *_, pixels = read_pfm(picture)
     return report["seconds"], [channel for pixel in pixels for channel in pixel]
 
@@ -65,8 +88,7 @@ def chart(curves):
     def at(t, v):
         x = (math.log10(t) - low_x) / (high_x - low_x)
         y = (math.log10(v) / 2 - low_y) / (high_y - low_y)
-        return (margin + x * (width - margin - 170),
-                height - margin - y * (height - 2 * margin))
+        return (margin + x * (width - margin - 170), height - margin - y * (height - 2 * margin))
 
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} '
@@ -76,29 +98,29 @@ def chart(curves):
     for power in range(low_x, high_x + 1):
         x, bottom = at(10.0**power, 10.0 ** (2 * low_y))
         _, top = at(10.0**power, 10.0 ** (2 * high_y))
-        lines.append(f'<path d="M{x:.1f} {bottom:.1f}V{top:.1f}" '
-                     'stroke="#ddd"/>')
-        lines.append(f'<text x="{x:.1f}" y="{bottom + 18:.1f}" '
-                     f'text-anchor="middle">{10.0**power:g} s</text>')
+        lines.append(f'<path d="M{x:.1f} {bottom:.1f}V{top:.1f}" stroke="#ddd"/>')
+        lines.append(
+            f'<text x="{x:.1f}" y="{bottom + 18:.1f}" text-anchor="middle">{10.0**power:g} s</text>'
+        )
     for power in range(low_y, high_y + 1):
         left, y = at(10.0**low_x, 10.0 ** (2 * power))
         right, _ = at(10.0**high_x, 10.0 ** (2 * power))
-        lines.append(f'<path d="M{left:.1f} {y:.1f}H{right:.1f}" '
-                     'stroke="#ddd"/>')
-        lines.append(f'<text x="{left - 6:.1f}" y="{y + 4:.1f}" '
-                     f'text-anchor="end">{10.0**power:g}</text>')
-    lines.append(f'<text x="{margin}" y="30">standard deviation of a pixel, '
-                 'against rendering time</text>')
+        lines.append(f'<path d="M{left:.1f} {y:.1f}H{right:.1f}" stroke="#ddd"/>')
+        lines.append(
+            f'<text x="{left - 6:.1f}" y="{y + 4:.1f}" text-anchor="end">{10.0**power:g}</text>'
+        )
+    lines.append(
+        f'<text x="{margin}" y="30">standard deviation of a pixel, against rendering time</text>'
+    )
     for i, (name, points) in enumerate(curves):
         color = COLOURS[i // 2 % len(COLOURS)]
         dashes = ' stroke-dasharray="6 4"' if i % 2 == 0 else ""
-        path = " ".join(f"{x:.1f},{y:.1f}"
-                        for x, y in (at(*point) for point in points))
-        lines.append(f'<polyline points="{path}" fill="none" '
-                     f'stroke="{color}" stroke-width="2"{dashes}/>')
+        path = " ".join(f"{x:.1f},{y:.1f}" for x, y in (at(*point) for point in points))
+        lines.append(
+            f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="2"{dashes}/>'
+        )
         y = margin + 20 * i
-        lines.append(f'<path d="M{width - 160} {y}h30" stroke="{color}" '
-                     f'stroke-width="2"{dashes}/>')
+        lines.append(f'<path d="M{width - 160} {y}h30" stroke="{color}" stroke-width="2"{dashes}/>')
         lines.append(f'<text x="{width - 124}" y="{y + 4}">{name}</text>')
     return "\n".join([*lines, "</svg>"]) + "\n"
 
@@ -110,8 +132,7 @@ def main():
     options = parser.parse_args()
     counts = [1 << i for i in range(2, options.most_samples.bit_length(), 2)]
     curves = []
-    print("| question | scene | estimator | variance of a sample "
-          "| us per sample | efficiency |")
+    print("| question | scene | estimator | variance of a sample | us per sample | efficiency |")
     print("|---|---|---|---|---|---|")
     for question, scene, estimators in COMPARISONS:
         first = None
@@ -122,9 +143,12 @@ def main():
             each = seconds / (128 * 128 * counts[-1])
             efficiency = 1 / (variance * seconds)
             first = first or efficiency
-            print(f"| {question} | {scene} | {name} |"
-                  f" {variance * counts[-1]:.3g} | {each * 1e6:.3g} |"
-                  f" {efficiency / first:.2f} |", flush=True)
+            print(
+                f"| {question} | {scene} | {name} |"
+                f" {variance * counts[-1]:.3g} | {each * 1e6:.3g} |"
+                f" {efficiency / first:.2f} |",
+                flush=True,
+            )
     if options.chart:
         options.chart.write_text(chart(curves))
         print(f"\nThe chart is {options.chart}")

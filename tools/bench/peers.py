@@ -57,17 +57,13 @@ def mitsuba_scene(mi, toml):
     half_width = math.hypot(*camera["left"]) / math.hypot(*camera["forward"])
     scene = {
         "type": "scene",
-        "integrator": {
-            "type": "path",
-            "max_depth": toml["render"].get("max_bounces", -2) + 1,
-        },
+        "integrator": {"type": "path", "max_depth": toml["render"].get("max_bounces", -2) + 1},
         "sensor": {
             "type": "perspective",
             "fov": 2 * math.degrees(math.atan(half_width)),
             # Mitsuba's left is at +x, the slides' at -x.
-            "to_world": transform().look_at(
-                origin=camera["origin"], target=aim, up=camera["up"]
-            ) @ transform().scale([-1, 1, 1]),
+            "to_world": transform().look_at(origin=camera["origin"], target=aim, up=camera["up"])
+            @ transform().scale([-1, 1, 1]),
             "film": {
                 "type": "hdrfilm",
                 "width": camera["size"][0],
@@ -82,11 +78,7 @@ def mitsuba_scene(mi, toml):
     for i, shape in enumerate(toml["shapes"]):
         material = toml["materials"][shape["material"]]
         if shape["type"] == "sphere":
-            entry = {
-                "type": "sphere",
-                "center": shape["center"],
-                "radius": shape["radius"],
-            }
+            entry = {"type": "sphere", "center": shape["center"], "radius": shape["radius"]}
         else:
             normal = shape["normal"]
             at = [-shape["distance"] * n for n in normal]
@@ -94,9 +86,9 @@ def mitsuba_scene(mi, toml):
             entry = {
                 "type": "rectangle",
                 "to_world": transform().look_at(
-                    origin=at, target=[a + n for a, n in zip(at, normal)],
-                    up=up,
-                ) @ transform().scale([FAR, FAR, 1]),
+                    origin=at, target=[a + n for a, n in zip(at, normal)], up=up
+                )
+                @ transform().scale([FAR, FAR, 1]),
             }
         if "ke" in material:
             radiance = {"type": "rgb", "value": [material["ke"]] * 3}
@@ -149,9 +141,12 @@ def main():
     options = parser.parse_args()
     variants = ["scalar_rgb"]
     probe = subprocess.run(
-        [sys.executable, "-c",
-         "import mitsuba as mi; mi.set_variant('llvm_ad_rgb');"
-         "mi.render(mi.load_dict(mi.cornell_box()), spp=1).numpy()"],
+        [
+            sys.executable,
+            "-c",
+            "import mitsuba as mi; mi.set_variant('llvm_ad_rgb');"
+            "mi.render(mi.load_dict(mi.cornell_box()), spp=1).numpy()",
+        ],
         capture_output=True,
     )
     if probe.returncode == 0:
@@ -161,8 +156,12 @@ def main():
 
     print("| box | program | Msamples/s | stage 4 is faster by |")
     print("|---|---|---|---|")
-    for name in ("cornell_box_point_diffuse", "cornell_box_ceiling_diffuse",
-                 "cornell_box_point", "cornell_box_ceiling"):
+    for name in (
+        "cornell_box_point_diffuse",
+        "cornell_box_ceiling_diffuse",
+        "cornell_box_point",
+        "cornell_box_ceiling",
+    ):
         path = SCENES / f"{name}.toml"
         toml = tomllib.loads(path.read_text())
         programs = [Ours(path)]
@@ -178,13 +177,17 @@ def main():
         if name.endswith("diffuse"):
             for mean, program in zip(means[1:], programs[1:]):
                 if not numpy.allclose(mean, means[0], rtol=0.01):
-                    sys.exit(f"{name}: {program.variant} has the mean {mean}"
-                             f" and stage 4 has {means[0]}")
+                    sys.exit(
+                        f"{name}: {program.variant} has the mean {mean} and stage 4 has {means[0]}"
+                    )
         samples = math.prod(toml["camera"]["size"]) * options.spp
         medians = [statistics.median(t) for t in times]
         for program, median in zip(programs, medians):
-            print(f"| {name} | {program.variant} | {samples / median / 1e6:.2f}"
-                  f" | {median / medians[0]:.1f} |", flush=True)
+            print(
+                f"| {name} | {program.variant} | {samples / median / 1e6:.2f}"
+                f" | {median / medians[0]:.1f} |",
+                flush=True,
+            )
 
 
 if __name__ == "__main__":

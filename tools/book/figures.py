@@ -16,20 +16,29 @@ class PlacedFigures(Figures):
         files = self.files(name)
         panels = entry.get("panels", [{}])
         facts, commands = self.facts(entry)
-        lines = [f"({name})=", "",
-                 f"::::::{{container}} figure panels-{len(files)}"]
+        lines = [f"({name})=", "", f"::::::{{container}} figure panels-{len(files)}"]
         for file, panel in zip(files, panels):
             label = panel.get("label", "")
-            lines += [":::::{container} panel",
-                      f"![{entry['shows']} {label}]({up}figures/{file})", "",
-                      label, ":::::"]
+            lines += [
+                ":::::{container} panel",
+                f"![{entry['shows']} {label}]({up}figures/{file})",
+                "",
+                label,
+                ":::::",
+            ]
         lines += [":::::{container} caption", entry["caption"].strip(), ""]
         if facts:
             lines += [f"Made with {facts}.", ""]
         if commands:
-            lines += ["::::{dropdown} The commands" if len(commands) > 1
-                      else "::::{dropdown} The command", "```sh", *commands,
-                      "```", "::::"]
+            lines += [
+                "::::{dropdown} The commands"
+                if len(commands) > 1
+                else "::::{dropdown} The command",
+                "```sh",
+                *commands,
+                "```",
+                "::::",
+            ]
         return lines + [":::::", "::::::", ""]
 
     def for_chapter(self, chapter):
@@ -44,10 +53,8 @@ class PlacedFigures(Figures):
 
     def all_placed(self, chapter):
         for place in self.taken[chapter]:
-            raise Failure(f"figures.toml: chapter {chapter} has no region "
-                            f"nor section '{place}'")
+            raise Failure(f"figures.toml: chapter {chapter} has no region nor section '{place}'")
 
     def filled(self, text):
         """The page with its lines `{figure} name` replaced."""
-        return re.sub(r"^\{figure\} (\S+)$",
-                      lambda m: "\n".join(self.myst(m[1])), text, flags=re.M)
+        return re.sub(r"^\{figure\} (\S+)$", lambda m: "\n".join(self.myst(m[1])), text, flags=re.M)

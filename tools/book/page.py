@@ -33,11 +33,13 @@ def mark(path, piece):
         return f"{{bdg-secondary}}`as in stage {before}`", [], []
     label = f"stage {before}"
     diff = list(difflib.unified_diff(old, piece.lines, lineterm="", n=2))[2:]
-    box = fenced("dropdown", f"What changed since {label}",
-                 fenced("code-block", "diff", diff, depth=3, mark="`"),
-                 depth=5)
-    return (f"{{bdg-warning}}`changed since {label}`",
-            changed_lines(old, piece.lines), box)
+    box = fenced(
+        "dropdown",
+        f"What changed since {label}",
+        fenced("code-block", "diff", diff, depth=3, mark="`"),
+        depth=5,
+    )
+    return (f"{{bdg-warning}}`changed since {label}`", changed_lines(old, piece.lines), box)
 
 
 def code_block(path, piece):

@@ -19,8 +19,7 @@ def normalised(tex):
 
 
 def prose_of(header):
-    return "\n".join("\n".join(piece.lines) for piece in pieces(header)
-                     if piece.kind == "prose")
+    return "\n".join("\n".join(piece.lines) for piece in pieces(header) if piece.kind == "prose")
 
 
 def shown_on(title, deck):
@@ -57,8 +56,7 @@ def check_trap(entry, by_name):
     where = f"slides/coverage.toml: trap '{entry['title']}'"
     slides = shown_on(entry["title"], by_name[entry["deck"]])
     if not any("trap" in slide.kinds for slide in slides):
-        raise Failure(f"{where}: {entry['deck']} has no such slide of "
-                        "class trap")
+        raise Failure(f"{where}: {entry['deck']} has no such slide of class trap")
 
 
 def table():

@@ -33,8 +33,7 @@ class Slide:
     @property
     def notes(self):
         """What the lecturer reads: the comments that are no directives."""
-        return "\n".join(text for text in COMMENT.findall(self.text)
-                         if not text.startswith("_"))
+        return "\n".join(text for text in COMMENT.findall(self.text) if not text.startswith("_"))
 
     @property
     def minutes(self):
@@ -53,12 +52,12 @@ class Deck:
         text = path.read_text()
         head = re.match(r"---\ntitle: (.*)\n---\n", text)
         if not head:
-            raise Failure(f"{path.relative_to(ROOT)}:1: a deck begins with "
-                            "'---', 'title: ...' and '---'")
+            raise Failure(
+                f"{path.relative_to(ROOT)}:1: a deck begins with '---', 'title: ...' and '---'"
+            )
         self.title = head[1]
         self.slides, line = [], 4
-        for number, part in enumerate(
-                re.split(r"^---\n", text[head.end():], flags=re.M), 1):
+        for number, part in enumerate(re.split(r"^---\n", text[head.end() :], flags=re.M), 1):
             self.slides.append(Slide(number, line, part, self))
             line += part.count("\n") + 1
 
@@ -72,11 +71,14 @@ class Deck:
             if not slide.heading:
                 raise Failure(f"{slide.where}: a slide without '# heading'")
             if slide.minutes is None:
-                raise Failure(f"{slide.where}: the notes of "
-                                f"'{slide.heading}' begin with '<!-- N min'")
+                raise Failure(
+                    f"{slide.where}: the notes of '{slide.heading}' begin with '<!-- N min'"
+                )
             if re.search(r":\s", slide.notes):
-                raise Failure(f"{slide.where}: Marp takes a colon in notes "
-                                "for a setting; write the sentence without")
+                raise Failure(
+                    f"{slide.where}: Marp takes a colon in notes "
+                    "for a setting; write the sentence without"
+                )
 
 
 def decks():

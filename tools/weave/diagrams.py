@@ -3,9 +3,22 @@
 import math
 import random
 
-from tools.weave.drawing import (COOL, GREEN, INK, SOFT, WARM, arc, axes,
-                                 circle, curve, diagram, line, polar, ray,
-                                 text)
+from tools.weave.drawing import (
+    COOL,
+    GREEN,
+    INK,
+    SOFT,
+    WARM,
+    arc,
+    axes,
+    circle,
+    curve,
+    diagram,
+    line,
+    polar,
+    ray,
+    text,
+)
 from tools.weave.renders import Render
 
 
@@ -13,11 +26,12 @@ from tools.weave.renders import Render
 def hemisphere():
     x, y, r = 220, 220, 150
     yield line(30, y, 410, y, INK, 2)
-    yield (f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" '
-           f'fill="#f3e9df" stroke="{SOFT}" stroke-dasharray="4 3"/>')
+    yield (
+        f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" '
+        f'fill="#f3e9df" stroke="{SOFT}" stroke-dasharray="4 3"/>'
+    )
     for angle in (-72, -50, -12, 20, 62):
-        yield line(*polar(x, y, angle, r + 34), *polar(x, y, angle, r + 8),
-                   WARM, 1.2, True)
+        yield line(*polar(x, y, angle, r + 34), *polar(x, y, angle, r + 8), WARM, 1.2, True)
     yield ray(x, y, 0, r + 30, INK)
     yield text(x + 14, y - r - 24, "n", style="italic")
     yield ray(x, y, 42, r, WARM)
@@ -35,25 +49,27 @@ def hemisphere():
 def two_densities():
     drawn = random.Random(1)
     pairs = [(drawn.random(), drawn.random()) for _ in range(400)]
-    for x, name, cosine in ((130, "uniform in solid angle", False),
-                            (390, "in proportion to the cosine", True)):
+    for x, name, cosine in (
+        (130, "uniform in solid angle", False),
+        (390, "in proportion to the cosine", True),
+    ):
         yield circle(x, 130, 100, "#f3e9df", SOFT)
         for u, v in pairs:
             sine = math.sqrt(u) if cosine else math.sqrt(1 - u * u)
             phi = 2 * math.pi * v
-            yield circle(x + 100 * sine * math.cos(phi),
-                         130 + 100 * sine * math.sin(phi), 1.7, WARM)
+            yield circle(
+                x + 100 * sine * math.cos(phi), 130 + 100 * sine * math.sin(phi), 1.7, WARM
+            )
         yield text(x, 262, name)
-        share = sum((math.sqrt(1 - u) if cosine else u) > math.cos(
-            math.radians(60)) for u, _ in pairs) / len(pairs)
-        yield text(x, 284, f"{share:.0%} within 60° of the normal", SOFT,
-                   size=13)
+        share = sum(
+            (math.sqrt(1 - u) if cosine else u) > math.cos(math.radians(60)) for u, _ in pairs
+        ) / len(pairs)
+        yield text(x, 284, f"{share:.0%} within 60° of the normal", SOFT, size=13)
 
 
 @diagram("next-event", 520, 300)
 def next_event():
-    yield f'<path d="M30 30 H490 V270 H30" fill="none" stroke="{INK}" ' \
-          'stroke-width="2"/>'
+    yield f'<path d="M30 30 H490 V270 H30" fill="none" stroke="{INK}" stroke-width="2"/>'
     yield circle(365, 150, 36, "#d9e4ef", COOL)
     yield circle(250, 80, 6, "#e8b400", WARM)
     yield text(250, 62, "light", WARM)
@@ -103,22 +119,25 @@ def area_to_angle():
 def snell():
     for x, angle in ((95, 25), (260, 41.81), (425, 60)):
         y = 120
-        yield (f'<path d="M{x - 75} {y} H{x + 75} V250 H{x - 75}z" '
-               'fill="#d9e4ef"/>')
+        yield (f'<path d="M{x - 75} {y} H{x + 75} V250 H{x - 75}z" fill="#d9e4ef"/>')
         yield line(x - 75, y, x + 75, y, COOL, 2)
         yield line(x, y - 92, x, y + 108, SOFT, 1, False, "4 4")
         length = min(116, 74 / math.sin(math.radians(angle)))
         yield line(x, y, *polar(x, y, 180 + angle, length), COOL, 2, True)
         sine = 1.5 * math.sin(math.radians(angle))
-        yield line(x, y, *polar(x, y, 180 - angle, 100), SOFT, 1.2, True) \
-            if sine < 1 else \
-            line(x, y, *polar(x, y, 180 - angle, length), WARM, 2.2, True)
+        yield (
+            line(x, y, *polar(x, y, 180 - angle, 100), SOFT, 1.2, True)
+            if sine < 1
+            else line(x, y, *polar(x, y, 180 - angle, length), WARM, 2.2, True)
+        )
         if sine < 1.0005:
             out = math.degrees(math.asin(min(sine, 1)))
             yield ray(x, y, out if out < 89 else 90, 80, WARM)
-            yield text(*polar(x + 6, y - 10 if out > 89 else y,
-                              min(out, 84), 64 if out > 89 else 88),
-                       "w_i", WARM)
+            yield text(
+                *polar(x + 6, y - 10 if out > 89 else y, min(out, 84), 64 if out > 89 else 88),
+                "w_i",
+                WARM,
+            )
         else:
             yield text(x + 36, y - 40, "none", WARM)
         yield text(*polar(x - 12, y - 6, 180 + angle, length - 34), "w_o", COOL)
@@ -132,35 +151,43 @@ def bar(y, parts, end):
     x = 30
     for name, share, color in parts:
         width = 440 * share
-        yield (f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" '
-               f'fill="{color}" stroke="#fff"/>')
+        yield (
+            f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" '
+            f'fill="{color}" stroke="#fff"/>'
+        )
         yield text(x + width / 2, y + 25, name, "#fff", size=13)
         x += width
     yield line(30 + 440 * end, y - 8, 30 + 440 * end, y + 48, INK, 1.5)
 
 
 def events(y, last="absorbed"):
-    yield from bar(y, (("diffuse p_d", .4, WARM),
-                       ("specular p_s", .25, COOL),
-                       ("refraction p_t", .2, GREEN),
-                       (last, .15, "#444")), 1)
+    yield from bar(
+        y,
+        (
+            ("diffuse p_d", 0.4, WARM),
+            ("specular p_s", 0.25, COOL),
+            ("refraction p_t", 0.2, GREEN),
+            (last, 0.15, "#444"),
+        ),
+        1,
+    )
     yield text(30, y + 60, "0", anchor="middle")
     yield text(470, y + 60, "1", anchor="middle")
 
 
 def overfull(y):
     scale = 1 / 1.8
-    yield from bar(y, (("red k_d: 0.9", .9 * scale, "#b03030"),
-                       ("green k_s: 0.9", .9 * scale, GREEN)), scale)
+    yield from bar(
+        y, (("red k_d: 0.9", 0.9 * scale, "#b03030"), ("green k_s: 0.9", 0.9 * scale, GREEN)), scale
+    )
     yield text(30, y + 60, "0")
-    yield text(30 + 440 * scale, y + 60, "1: ξ never comes here",
-               anchor="start", size=14)
+    yield text(30 + 440 * scale, y + 60, "1: ξ never comes here", anchor="start", size=14)
     yield text(470, y - 10, "1.8", SOFT)
 
 
 def random_number(y):
-    yield line(30 + 440 * .52, y - 30, 30 + 440 * .52, y - 2, INK, 2, True)
-    yield text(30 + 440 * .52, y - 34, "ξ = 0.52", size=13)
+    yield line(30 + 440 * 0.52, y - 30, 30 + 440 * 0.52, y - 2, INK, 2, True)
+    yield text(30 + 440 * 0.52, y - 34, "ξ = 0.52", size=13)
 
 
 @diagram("event-bar", 520, 250)
@@ -194,9 +221,8 @@ def ray_counts():
     for power in range(0, 4):
         y = y0 - dy * power
         yield line(x0, y, x0 + 480, y, "#ddd", 1)
-        yield text(x0 - 10, y + 5, f"{10 ** power:,}", SOFT, "end", size=13)
-    for stage, color, name in ((3, WARM, "stage 3: every lobe"),
-                                (4, COOL, "stage 4: one by lot")):
+        yield text(x0 - 10, y + 5, f"{10**power:,}", SOFT, "end", size=13)
+    for stage, color, name in ((3, WARM, "stage 3: every lobe"), (4, COOL, "stage 4: one by lot")):
         points = []
         for bound in bounds:
             options = (f"--size 16x16 --spp 16 --max-bounces {bound}").split()
@@ -226,16 +252,22 @@ def fresnel(degrees, ratio):
 
 @diagram("fresnel-curves", 520, 290)
 def fresnel_curves():
-    for x0, ratio, name, mark in ((44, 1 / 1.5, "from outside", 56.31),
-                                  (294, 1.5, "from inside", 41.81)):
+    for x0, ratio, name, mark in (
+        (44, 1 / 1.5, "from outside", 56.31),
+        (294, 1.5, "from inside", 41.81),
+    ):
         y0, width, height = 235, 200, 190
         yield from axes(x0, y0, width, height)
-        for i, (color, dash) in enumerate(((INK, ""), (WARM, "6 3"),
-                                            (COOL, "2 3"))):
-            yield curve([(x0 + width * a / 180,
-                          y0 - height * fresnel(a / 2, ratio)[i])
-                         for a in range(0, 181)], color, 2 if not i else 1.6,
-                        dash)
+        for i, (color, dash) in enumerate(((INK, ""), (WARM, "6 3"), (COOL, "2 3"))):
+            yield curve(
+                [
+                    (x0 + width * a / 180, y0 - height * fresnel(a / 2, ratio)[i])
+                    for a in range(0, 181)
+                ],
+                color,
+                2 if not i else 1.6,
+                dash,
+            )
         at = x0 + width * mark / 90
         yield line(at, y0, at, y0 - height, SOFT, 1, False, "3 3")
         yield text(at, y0 + 18, f"{mark:.1f}°", SOFT, size=13)
@@ -243,6 +275,5 @@ def fresnel_curves():
         yield text(x0 - 6, y0 + 5, "0", SOFT, "end", size=13)
         yield text(x0 - 6, y0 - height + 8, "1", SOFT, "end", size=13)
         yield text(x0 + width / 2, 26, name)
-    for x, color, name in ((150, INK, "F"), (250, WARM, "r_s squared"),
-                            (380, COOL, "r_p squared")):
+    for x, color, name in ((150, INK, "F"), (250, WARM, "r_s squared"), (380, COOL, "r_p squared")):
         yield text(x, 280, name, color, size=14)

@@ -25,13 +25,15 @@ class Figures:
         return self.entries[name]
 
     def renders(self, entry):
-        return [Render(panel.get("stage", entry.get("stage")),
-                       panel.get("scene", entry.get("scene")),
-                       (entry.get("options", "") + " "
-                        + panel.get("options", "")).split(),
-                       [*entry.get("replace", ()),
-                        *panel.get("replace", ())])
-                for panel in entry.get("panels", [])]
+        return [
+            Render(
+                panel.get("stage", entry.get("stage")),
+                panel.get("scene", entry.get("scene")),
+                (entry.get("options", "") + " " + panel.get("options", "")).split(),
+                [*entry.get("replace", ()), *panel.get("replace", ())],
+            )
+            for panel in entry.get("panels", [])
+        ]
 
     def files(self, name):
         """Makes the figure's pictures in `folder`, and returns their names."""

@@ -14,6 +14,7 @@ CLOSING = re.compile(r"^(#pragma once|\}  // namespace [\w:]+|)$")
 @dataclass
 class Piece:
     """A run of lines of one kind. `line` is the first one's number."""
+
     kind: str  # "prose" or "code"
     line: int
     lines: list = field(default_factory=list)
@@ -82,8 +83,7 @@ def region(reference):
         raise Failure(f"{reference}: there is no such header")
     known = regions(header)
     if name not in known:
-        raise Failure(f"{reference}: no such region; {path} has "
-                        + ", ".join(known))
+        raise Failure(f"{reference}: no such region; {path} has " + ", ".join(known))
     return known[name]
 
 
@@ -97,5 +97,10 @@ def earlier_version(path, name):
 
 def changed_lines(old, new):
     blocks = difflib.SequenceMatcher(None, old, new, False).get_opcodes()
-    return [n + 1 for tag, _, _, first, last in blocks if tag != "equal"
-            for n in range(first, last) if new[n].strip()]
+    return [
+        n + 1
+        for tag, _, _, first, last in blocks
+        if tag != "equal"
+        for n in range(first, last)
+        if new[n].strip()
+    ]

@@ -1,6 +1,6 @@
 """Checks that pages ask nobody for anything.
 
-    offline.py FOLDER   names the first file that refers to the network
+offline.py FOLDER   names the first file that refers to the network
 """
 
 import re
@@ -15,7 +15,9 @@ REQUESTS = re.compile(
     rf"[^>]*?\s(?:src|href|data|xlink:href|srcset)=({ELSEWHERE})"
     r"|<link\b(?=[^>]*?\brel=[\"']?(?:stylesheet|icon|preload|prefetch|"
     rf"preconnect|modulepreload))[^>]*?\shref=({ELSEWHERE})"
-    rf"|\burl\(\s*({ELSEWHERE})|@import\s+(?:url\()?({ELSEWHERE})", re.I)
+    rf"|\burl\(\s*({ELSEWHERE})|@import\s+(?:url\()?({ELSEWHERE})",
+    re.I,
+)
 
 
 def check_offline(folder):
@@ -25,8 +27,10 @@ def check_offline(folder):
         found = REQUESTS.search(path.read_text())
         if found:
             address = next(filter(None, found.groups())).strip("\"' ")
-            raise Failure(f"{path.relative_to(folder.parent)}: asks "
-                            f"{address}; pages must work without a network")
+            raise Failure(
+                f"{path.relative_to(folder.parent)}: asks "
+                f"{address}; pages must work without a network"
+            )
 
 
 if __name__ == "__main__":

@@ -12,9 +12,14 @@ import tomllib
 
 from compare.stages import BUILD, ROOT, Failure, render
 
-WORDS = {"--spp": "{} samples per pixel", "--max-bounces": "{} bounces",
-         "--seed": "seed {}", "--sampling": "{} sampling",
-         "--size": "{} pixels", "--tone-map": "tones by {}"}
+WORDS = {
+    "--spp": "{} samples per pixel",
+    "--max-bounces": "{} bounces",
+    "--seed": "seed {}",
+    "--sampling": "{} sampling",
+    "--size": "{} pixels",
+    "--tone-map": "tones by {}",
+}
 ONE = {"1 samples per pixel": "1 sample per pixel", "1 bounces": "1 bounce"}
 
 
@@ -86,5 +91,6 @@ class Render:
         return facts
 
     def command(self):
-        return shlex.join([f"build/stage{self.stage}", self.scene, "-o",
-                           "picture.png", *self.options])
+        return shlex.join(
+            [f"build/stage{self.stage}", self.scene, "-o", "picture.png", *self.options]
+        )
