@@ -15,7 +15,7 @@ scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers mistakes goldens \
-  signatures diff null-test format clean $(stages) $(addprefix test-,$(stages))
+  signatures diff null-test bench-compare setup-bench format clean $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
 # All Python here finds the tree at the folder that make runs in.
@@ -124,11 +124,13 @@ $(BUILD)/bench-venv/made: tools/bench/requirements.txt
 setup-bench: setup
 	@tools/setup.sh bench
 
+compare_py = $(firstword $(wildcard $(addsuffix /compare.py, \
+  /usr/share/benchmark $(addsuffix /share/googlebenchmark/tools, \
+  /opt/homebrew /usr/local))))
 bench-compare: setup-bench $(BUILD)/bench-venv/made
-	@$(BUILD)/bench-venv/bin/python $(firstword $(wildcard \
-	  $(addsuffix /compare.py,/usr/share/benchmark \
-	    $(addsuffix /share/googlebenchmark/tools,/opt/homebrew /usr/local)))) \
-	  --no-color -a benchmarks $(BASE) $(BUILD)/bench.json
+	@$(BUILD)/bench-venv/bin/python $(or $(compare_py),$(error \
+	  Google Benchmark came without its compare.py)) --no-color \
+	  -a benchmarks $(BASE) $(BUILD)/bench.json
 
 # Mitsuba 3 side by side with stage 4. LLVM is the system's: `apt-get install
 # libllvm19` where Debian 12 has it, and

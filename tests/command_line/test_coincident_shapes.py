@@ -43,10 +43,7 @@ def sphere(center, radius, material):
 
 
 def rectangle(corner, u, v, material):
-    return (
-        f'type = "rectangle", corner = {corner}, edge_u = {u}, edge_v = {v}, '
-        f'material = "{material}"'
-    )
+    return f'type = "rectangle", corner = {corner}, edge_u = {u}, edge_v = {v}, material = "{material}"'
 
 
 def triangle(a, b, c, material):
@@ -108,23 +105,17 @@ class Means(Scenes):
     def check(self, shapes, expected, ceiling=1, programs=None):
         for order in [shapes, shapes[::-1]]:
             for program in programs or ["stage1", "stage2"]:
-                mean = self.mean_of(
-                    order, "--spp=300", program=program, head=seen_from(ceiling - 1)
-                )
+                mean = self.mean_of(order, "--spp=300", program=program, head=seen_from(ceiling - 1))
                 with self.subTest(program, first=order[0]):
                     self.assertAlmostEqual(mean / expected, 1, delta=0.02)
 
     def test_a_lamp_flush_with_the_ceiling(self):
-        gap = self.mean_of(
-            [*room(1), down(-0.5, 0.9999, -0.5, 1, "lamp")], "--spp=300", program="stage2"
-        )
+        gap = self.mean_of([*room(1), down(-0.5, 0.9999, -0.5, 1, "lamp")], "--spp=300", program="stage2")
         # At 0 there are no digits to be rounded.
         for y in [1, 0, -40]:
             self.check([*room(y), down(-0.5, y, -0.5, 1, "lamp")], gap, ceiling=y)
         for tile in [down, up]:  # either side of what reflects
-            self.check(
-                [tile(-9, 1, -9, 18, "white"), *room(1)[1:], down(-0.5, 1, -0.5, 1, "lamp")], gap
-            )
+            self.check([tile(-9, 1, -9, 18, "white"), *room(1)[1:], down(-0.5, 1, -0.5, 1, "lamp")], gap)
         # The same lamp twice shines once.
         self.check([*room(1), *2 * [down(-0.5, 1, -0.5, 1, "lamp")]], gap)
 
@@ -142,11 +133,7 @@ class Means(Scenes):
             program="stage2",
         )
         self.check(
-            [
-                rectangle(wide_corner, wide_u, wide_v, "white"),
-                *room(1)[1:],
-                rectangle(corner, u, v, "lamp"),
-            ],
+            [rectangle(wide_corner, wide_u, wide_v, "white"), *room(1)[1:], rectangle(corner, u, v, "lamp")],
             gap,
         )
 
@@ -157,9 +144,7 @@ class Means(Scenes):
                 "--spp=300",
                 program="stage2",
             )
-            self.check(
-                [*room(1), down(-0.5, y, -0.5, 1, "lamp"), up(-0.5, y, -0.5, 1, "lamp")], gap
-            )
+            self.check([*room(1), down(-0.5, y, -0.5, 1, "lamp"), up(-0.5, y, -0.5, 1, "lamp")], gap)
 
     def test_slabs_of_glass_in_contact_absorb_nothing(self):
         def face(z, material, to_back):
@@ -177,11 +162,7 @@ class Means(Scenes):
         ]
         for order in itertools.permutations(shapes[2:]):
             mean = self.mean_of(
-                [*shapes[:2], *order],
-                "--spp=4",
-                "--max-bounces=9",
-                program="stage4",
-                materials=GLASS,
+                [*shapes[:2], *order], "--spp=4", "--max-bounces=9", program="stage4", materials=GLASS
             )
             self.assertAlmostEqual(mean, 1, delta=1e-5)
 
@@ -223,24 +204,15 @@ def warning(shape, other, why=ROUNDING, line=3, other_line=2, more=""):
 
 WARNED = {
     "two planes": ([FLOOR, plane([0, 1, 0], 1, "black")], warning("plane", "plane")),
-    "two planes with opposite normals": (
-        [FLOOR, plane([0, -2, 0], -2, "black")],
-        warning("plane", "plane"),
-    ),
-    "a rug that lies in the floor": (
-        [FLOOR, up(-0.5, -1, 0, 1, "black")],
-        warning("rectangle", "plane"),
-    ),
+    "two planes with opposite normals": ([FLOOR, plane([0, -2, 0], -2, "black")], warning("plane", "plane")),
+    "a rug that lies in the floor": ([FLOOR, up(-0.5, -1, 0, 1, "black")], warning("rectangle", "plane")),
     "a rug before the floor": ([up(-0.5, -1, 0, 1, "black"), FLOOR], warning("plane", "rectangle")),
     "a rug at height 0": (
         [up(-5, 0, -5, 10, "white"), up(-0.5, 0, 0, 1, "black")],
         warning("rectangle", "rectangle"),
     ),
     "a rug in a slanted floor": (
-        [
-            plane([0.6, 0.8, 0], 1, "white"),
-            rectangle([-0.6, -0.8, 0], [0.4, -0.3, 0], [0, 0, 1], "black"),
-        ],
+        [plane([0.6, 0.8, 0], 1, "white"), rectangle([-0.6, -0.8, 0], [0.4, -0.3, 0], [0, 0, 1], "black")],
         warning("rectangle", "plane"),
     ),
     "a plane that shines in the place of another": (
@@ -270,10 +242,7 @@ WARNED = {
         warning("triangle", "triangle"),
     ),
     "the same lamp twice": ([LAMP, LAMP], warning("rectangle", "rectangle", AS_ONE)),
-    "a brighter lamp in a lamp": (
-        [LAMP, down(0, 1, 0, 0.5, "bright")],
-        warning("rectangle", "rectangle"),
-    ),
+    "a brighter lamp in a lamp": ([LAMP, down(0, 1, 0, 0.5, "bright")], warning("rectangle", "rectangle")),
     "a small lamp in a large one far away": (
         [down(-50, 40, -50, 999, "lamp"), down(0, 40, 0, 0.5, "bright")],
         warning("rectangle", "rectangle"),
@@ -343,10 +312,7 @@ FINE = {
         triangle([1.9, 1.9, 0], [1.1, 1.9, 0], [1.9, 1.1, 0], "black"),
     ],
     "a rug a little above the floor": [FLOOR, up(0, -0.99998, 0, 1, "black")],
-    "a rug on a floor of kilometers": [
-        up(-9000, 0, -9000, 18000, "white"),
-        up(0, 0.01, 0, 1, "black"),
-    ],
+    "a rug on a floor of kilometers": [up(-9000, 0, -9000, 18000, "white"), up(0, 0.01, 0, 1, "black")],
 }
 
 FINE_OF_GLASS = {
@@ -399,13 +365,7 @@ class Warnings(Scenes):
         for scene in sorted(SCENES.glob("*.toml")):
             with self.subTest(scene.name):
                 result = run(
-                    built_stages()[-1],
-                    scene,
-                    "-o",
-                    "out.pfm",
-                    "--spp=1",
-                    "--size=1x1",
-                    folder=self.folder,
+                    built_stages()[-1], scene, "-o", "out.pfm", "--spp=1", "--size=1x1", folder=self.folder
                 )
                 if "introduces" in result.stderr:
                     continue  # the stage that can is not built

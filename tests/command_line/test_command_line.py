@@ -60,10 +60,7 @@ class Programs(InFolder):
 
     def start(self, *arguments, **options):
         process = subprocess.Popen(
-            [BUILD / "stage1", *map(str, arguments)],
-            cwd=self.folder,
-            stdin=subprocess.DEVNULL,
-            **options,
+            [BUILD / "stage1", *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL, **options
         )
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
@@ -219,8 +216,7 @@ class Renders(Programs):
     def test_no_bounces_show_only_what_emits(self):
         for bounces in [0, 1]:
             self.render(
-                *["-o", f"{bounces}.pfm", "--max-bounces", bounces],
-                *["--size", "8x8", "--spp", "32"],
+                *["-o", f"{bounces}.pfm", "--max-bounces", bounces], *["--size", "8x8", "--spp", "32"]
             )
         ceiling, floor = slice(0, 8), slice(56, 64)
         *_, pixels = read_pfm(self.folder / "0.pfm")
@@ -233,8 +229,7 @@ class Renders(Programs):
         sums = {}
         for sampling in ["cosine", "uniform"]:
             self.render(
-                *["-o", f"{sampling}.pfm", "--sampling", sampling],
-                *["--size", "8x8", "--spp", "256"],
+                *["-o", f"{sampling}.pfm", "--sampling", sampling], *["--size", "8x8", "--spp", "256"]
             )
             *_, pixels = read_pfm(self.folder / f"{sampling}.pfm")
             sums[sampling] = sum(map(sum, pixels))
@@ -354,8 +349,7 @@ class WhatCannotBeWritten(Programs):
                 env=environment,
             )
             self.assert_one_line(
-                result,
-                f"stage1: out.{ending} cannot be written: the image library cannot be loaded: ...",
+                result, f"stage1: out.{ending} cannot be written: the image library cannot be loaded: ..."
             )
             self.assertEqual(self.files(), ["stage1"])
 
@@ -363,8 +357,7 @@ class WhatCannotBeWritten(Programs):
         result = self.run_here(BOX, "-o", "out.pfm", "--size", "65536x65536")
         self.assert_one_line(
             result,
-            "stage1: an image of 65536 x 65536 pixels needs 481 GB of "
-            "memory, and this machine has ...",
+            "stage1: an image of 65536 x 65536 pixels needs 481 GB of memory, and this machine has ...",
         )
         self.assertEqual(self.files(), [])
 
@@ -407,9 +400,7 @@ class CtrlC(Programs):
         stdout, stderr = process.communicate(timeout=HANG)
         self.assertEqual(process.returncode, 130, stderr)
         # No progress where stderr is not a terminal: this line is all.
-        said = re.fullmatch(
-            r"stage1: interrupted after (\d+) of 1000000000 samples per pixel\n", stderr
-        )
+        said = re.fullmatch(r"stage1: interrupted after (\d+) of 1000000000 samples per pixel\n", stderr)
         self.assertIsNotNone(said, stderr)
         samples = int(said[1])
         self.assertGreater(samples, 0)

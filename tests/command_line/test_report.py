@@ -60,9 +60,7 @@ class Reports(Programs):
         self.assertGreater(report["seconds"], 0)
         self.assertGreater(report["cpu_seconds"], 0)
         self.assertLess(report["cpu_seconds"], report["seconds"] * report["threads"] + 0.1)
-        self.assertAlmostEqual(
-            report["samples_per_second"] * report["seconds"] / report["samples"], 1
-        )
+        self.assertAlmostEqual(report["samples_per_second"] * report["seconds"] / report["samples"], 1)
         self.assertAlmostEqual(report["rays_per_sample"] * report["samples"] / report["rays"], 1)
         self.assertGreater(report["rays_per_sample"], 1)
 
@@ -102,10 +100,7 @@ class Reports(Programs):
         self.assertGreaterEqual(report["samples"], 256 * report["samples_per_pixel"])
 
     def test_where_it_cannot_be_written(self):
-        for path, why in [
-            ("no/report.json", "there is no folder 'no'"),
-            ("folder.json", "it is a folder"),
-        ]:
+        for path, why in [("no/report.json", "there is no folder 'no'"), ("folder.json", "it is a folder")]:
             (self.folder / "folder.json").mkdir(exist_ok=True)
             result = run(
                 *["stage1", BOX, "-o", "a.pfm", "--report", path],

@@ -35,9 +35,7 @@ def main():
         if "max_bounces" in golden:
             arguments += ["--max-bounces", golden["max_bounces"]]
         print(f"{stage}/{scene}.exr", flush=True)
-        render(
-            stage, SCENES / f"{scene}.toml", folder / f"{scene}.exr", "--size", "32x32", *arguments
-        )
+        render(stage, SCENES / f"{scene}.toml", folder / f"{scene}.exr", "--size", "32x32", *arguments)
 
 
 if __name__ == "__main__":

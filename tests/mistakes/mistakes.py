@@ -90,10 +90,7 @@ def check_catalogue(mistakes):
     for name in set(names):
         if names.count(name) > 1:
             raise Failure(f"two mistakes are called {name}")
-    tests = {
-        stage: test_names(ROOT / "tests" / f"stage{stage}")
-        for stage in {one.stage for one in mistakes}
-    }
+    tests = {stage: test_names(ROOT / "tests" / f"stage{stage}") for stage in {one.stage for one in mistakes}}
     for one in mistakes:
         if one.verdict not in ("pass", "fail"):
             raise Failure(f"{one.name}: verdict is neither pass nor fail")
@@ -105,9 +102,7 @@ def check_catalogue(mistakes):
     for one in tomllib.loads((CATALOGUE / "not_here.toml").read_text())["mistake"]:
         for guard in one["guarded_by"]:
             if guard not in core:
-                raise Failure(
-                    f'not_here.toml: number {one["number"]}: no core test is called "{guard}"'
-                )
+                raise Failure(f'not_here.toml: number {one["number"]}: no core test is called "{guard}"')
 
 
 class Suite:
@@ -116,9 +111,7 @@ class Suite:
     def __init__(self, stage):
         self.stage = stage
         self.target = f"stage{stage}_tests"
-        self.header = next(
-            (path for path in stage_headers() if path.parent.name[0] == str(stage)), None
-        )
+        self.header = next((path for path in stage_headers() if path.parent.name[0] == str(stage)), None)
         if not self.header:
             raise Failure(f"stage {stage} is not in this tree")
         self.compile = {}
@@ -202,9 +195,7 @@ class Suite:
             if option in words:
                 place = words.index(option)
                 del words[place : place + (1 if option == "-MD" else 2)]
-        words = [
-            "-O1" if word in ("-O2", "-O3") else word for word in words if not word.startswith("-W")
-        ]
+        words = ["-O1" if word in ("-O2", "-O3") else word for word in words if not word.startswith("-W")]
         return words[:1] + folders + words[1:]
 
 
@@ -320,15 +311,11 @@ def try_mistake(mistake, suite, given, folder):
     result = Result(key, [], "", "")
     try:
         run(
-            suite.compile_command(source, target, [f"-I{folder}", "-include", str(given)]),
-            "does not compile",
+            suite.compile_command(source, target, [f"-I{folder}", "-include", str(given)]), "does not compile"
         )
         program = folder / suite.target
         place = suite.link.index("-o")
-        run(
-            suite.link[:place] + [str(target), "-o", str(program)] + suite.link[place + 2 :],
-            "does not link",
-        )
+        run(suite.link[:place] + [str(target), "-o", str(program)] + suite.link[place + 2 :], "does not link")
         result.caught, result.end = run_suite(program)
         program.unlink()
         target.unlink()
@@ -381,9 +368,7 @@ def as_markdown(rows):
             )
             lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
         lines += ["\n| test | mistakes it caught |", "|---|---|"]
-        lines += [
-            f"| {test.replace('|', chr(92) + '|')} | {count} |" for test, count in caught.items()
-        ]
+        lines += [f"| {test.replace('|', chr(92) + '|')} | {count} |" for test, count in caught.items()]
     return "\n".join(lines) + "\n"
 
 
@@ -398,36 +383,28 @@ def main():
     options = parser.parse_args()
     folder = BUILD / "mistakes"
     try:
-        mistakes = [
-            one for path in sorted(CATALOGUE.glob("stage?.toml")) for one in read_mistakes(path)
-        ]
+        mistakes = [one for path in sorted(CATALOGUE.glob("stage?.toml")) for one in read_mistakes(path)]
         unknown = set(options.names) - {one.name for one in mistakes}
         if unknown:
             raise Failure(f"no such mistake: {', '.join(sorted(unknown))}")
         chosen = [
             one
             for one in mistakes
-            if (not options.names or one.name in options.names)
-            and options.stage in (None, one.stage)
+            if (not options.names or one.name in options.names) and options.stage in (None, one.stage)
         ]
         check_catalogue(chosen)
         suites = {stage: Suite(stage) for stage in sorted({one.stage for one in chosen})}
-        given = {
-            stage: precompile(suite, folder / f"given{stage}") for stage, suite in suites.items()
-        }
+        given = {stage: precompile(suite, folder / f"given{stage}") for stage, suite in suites.items()}
     except (Failure, OSError, subprocess.CalledProcessError) as failure:
         sys.exit(f"mistakes: {failure}")
     # Nothing changed must pass, or nothing that follows means anything.
     chosen = [
-        Mistake(stage, "nothing-changed", "The stage as it is.", [], verdict="pass")
-        for stage in suites
+        Mistake(stage, "nothing-changed", "The stage as it is.", [], verdict="pass") for stage in suites
     ] + chosen
 
     rows, errors = [], 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        results = pool.map(
-            lambda one: try_mistake(one, suites[one.stage], given[one.stage], folder), chosen
-        )
+        results = pool.map(lambda one: try_mistake(one, suites[one.stage], given[one.stage], folder), chosen)
         for mistake, result in zip(chosen, results):
             word, error = judge(mistake, result)
             rows.append((mistake, result, word))
@@ -445,9 +422,7 @@ def main():
     ]
     (folder / "table.json").write_text(json.dumps(table, indent=1) + "\n")
     (folder / "table.md").write_text(as_markdown(rows))
-    total = {
-        word: sum(row[2] == word for row in rows) for word in dict.fromkeys(row[2] for row in rows)
-    }
+    total = {word: sum(row[2] == word for row in rows) for word in dict.fromkeys(row[2] for row in rows)}
     print(", ".join(f"{count} {word}" for word, count in total.items()))
     print(f"The table is {folder / 'table.md'}")
     return 1 if errors else 0

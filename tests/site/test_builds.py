@@ -24,9 +24,7 @@ class Copy(unittest.TestCase):
         self.root = pathlib.Path(tempfile.mkdtemp(prefix="lightwalk-site-"))
         self.addCleanup(shutil.rmtree, self.root)
         for folder in SOURCES:
-            shutil.copytree(
-                ROOT / folder, self.root / folder, ignore=shutil.ignore_patterns("__pycache__")
-            )
+            shutil.copytree(ROOT / folder, self.root / folder, ignore=shutil.ignore_patterns("__pycache__"))
         self.build = self.root / "build"
         self.build.mkdir()
         for made in ("figures", "node", *built_stages()):
@@ -86,9 +84,7 @@ class Book(Copy):
         self.assert_refused("book", STAGE1, r"\fraction")
 
     def test_a_line_of_prose_that_is_too_long(self):
-        self.change(
-            STAGE1, "// ## The material\n", "// ## The material\n//\n// " + "long " * 16 + "\n"
-        )
+        self.change(STAGE1, "// ## The material\n", "// ## The material\n//\n// " + "long " * 16 + "\n")
         self.assert_refused("book", STAGE1, "over 78 columns")
 
     def test_a_name_that_is_not_in_the_code(self):
@@ -117,9 +113,7 @@ class Slides(Copy):
 
     def test_a_step_that_there_is_not(self):
         self.change("slides/5_fresnel_textures.md", "Draw an event", "Draw two events")
-        self.assert_refused(
-            "slides", "slides/5_fresnel_textures.md:", "no step begins 'Draw two events'"
-        )
+        self.assert_refused("slides", "slides/5_fresnel_textures.md:", "no step begins 'Draw two events'")
 
     def test_code_that_does_not_fit(self):
         self.change("slides/2_next_event.md", "#light-sample", "#sphere-light")
@@ -139,9 +133,7 @@ class Slides(Copy):
 
     def test_a_slide_whose_notes_have_no_time(self):
         self.change("slides/2_next_event.md", "2 min\nThe only light", "The only light")
-        self.assert_refused(
-            "slides", "slides/2_next_event.md:", "the notes of 'A point light' begin with"
-        )
+        self.assert_refused("slides", "slides/2_next_event.md:", "the notes of 'A point light' begin with")
 
     def test_notes_that_marp_would_take_for_settings(self):
         self.change("slides/2_next_event.md", "The only light that", "Note: the only light that")
@@ -154,9 +146,7 @@ class Coverage(Copy):
         self.assert_refused("slides", "'Material combinations'", "no slide of 4_russian_roulette")
 
     def test_a_region_that_there_is_not(self):
-        self.change(
-            "slides/coverage.toml", 'path_tracer.hpp#refract"', 'path_tracer.hpp#refraction"'
-        )
+        self.change("slides/coverage.toml", 'path_tracer.hpp#refract"', 'path_tracer.hpp#refraction"')
         self.assert_refused("slides", "coverage.toml", "#refraction: no such")
 
     def test_a_formula_that_the_chapter_has_not(self):
@@ -168,9 +158,7 @@ class Coverage(Copy):
         self.assert_refused("slides", r"p(\omega_t) = 1 is not in", "3_specular_refraction")
 
     def test_a_trap_where_the_lecture_does_not_stop(self):
-        self.change(
-            "slides/2_next_event.md", "<!-- _class: trap -->\n# Counted once", "# Counted once"
-        )
+        self.change("slides/2_next_event.md", "<!-- _class: trap -->\n# Counted once", "# Counted once")
         self.assert_refused("slides", "trap 'Counted once'")
 
 
@@ -204,8 +192,7 @@ class Offline(Copy):
 
     def test_a_link_is_no_request(self):
         run = self.check(
-            "a.html",
-            '<a href="https://example.org">there</a><svg xmlns="http://www.w3.org/2000/svg"/>',
+            "a.html", '<a href="https://example.org">there</a><svg xmlns="http://www.w3.org/2000/svg"/>'
         )
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 

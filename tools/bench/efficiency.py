@@ -17,8 +17,9 @@ import pathlib
 import tempfile
 
 from compare.stages import SCENES, read_pfm, render
+from tools.weave.drawing import curve, line, svg, text
 
-COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7"]
+COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7"]
 
 # A name, a scene, and the two that are compared.
 COMPARISONS = [
@@ -30,18 +31,12 @@ COMPARISONS = [
     (
         "all lobes or one",
         "plastic",
-        [
-            ("stage 3", "stage3", ["--max-bounces", "6"]),
-            ("stage 4", "stage4", ["--max-bounces", "6"]),
-        ],
+        [("stage 3", "stage3", ["--max-bounces", "6"]), ("stage 4", "stage4", ["--max-bounces", "6"])],
     ),
     (
         "uniform or cosine",
         "cornell_box_ceiling_diffuse",
-        [
-            ("uniform", "stage1", ["--sampling", "uniform"]),
-            ("cosine", "stage1", ["--sampling", "cosine"]),
-        ],
+        [("uniform", "stage1", ["--sampling", "uniform"]), ("cosine", "stage1", ["--sampling", "cosine"])],
     ),
 ]
 
@@ -50,18 +45,8 @@ def paint(program, arguments, scene, spp, seed):
     """Seconds, and the picture's numbers."""
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "picture.pfm"
-        report = render(
-            program,
-            SCENES / f"{scene}.toml",
-            picture,
-            "--size",
-            "128x128",
-            "--spp",
-            spp,
-            "--seed",
-            seed,
-            *arguments,
-        )
+        options = f"--size 128x128 --spp {spp} --seed {seed}".split()
+        report = render(program, SCENES / f"{scene}.toml", picture, *options, *arguments)
         *_, pixels = read_pfm(picture)
     return report["seconds"], [channel for pixel in pixels for channel in pixel]
 
@@ -79,50 +64,28 @@ def measure(program, arguments, scene, counts):
 
 def chart(curves):
     """The root of the variance against time, as SVG."""
-    width, height, margin = 640, 420, 60
-    xs = [math.log10(t) for _, points in curves for t, _ in points]
-    ys = [math.log10(v) / 2 for _, points in curves for _, v in points]
-    low_x, high_x = math.floor(min(xs)), math.ceil(max(xs))
-    low_y, high_y = math.floor(min(ys)), math.ceil(max(ys))
+    curves = [(name, [(math.log10(t), math.log10(v) / 2) for t, v in points]) for name, points in curves]
+    xs, ys = zip(*(point for _, points in curves for point in points))
+    left, right = math.floor(min(xs)), math.ceil(max(xs))
+    low, high = math.floor(min(ys)), math.ceil(max(ys))
 
-    def at(t, v):
-        x = (math.log10(t) - low_x) / (high_x - low_x)
-        y = (math.log10(v) / 2 - low_y) / (high_y - low_y)
-        return (margin + x * (width - margin - 170), height - margin - y * (height - 2 * margin))
+    def at(x, y):
+        return 60 + 410 * (x - left) / (right - left), 360 - 300 * (y - low) / (high - low)
 
-    lines = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} '
-        f'{height}" font-family="sans-serif" font-size="13">',
-        f'<rect width="{width}" height="{height}" fill="white"/>',
-    ]
-    for power in range(low_x, high_x + 1):
-        x, bottom = at(10.0**power, 10.0 ** (2 * low_y))
-        _, top = at(10.0**power, 10.0 ** (2 * high_y))
-        lines.append(f'<path d="M{x:.1f} {bottom:.1f}V{top:.1f}" stroke="#ddd"/>')
-        lines.append(
-            f'<text x="{x:.1f}" y="{bottom + 18:.1f}" text-anchor="middle">{10.0**power:g} s</text>'
-        )
-    for power in range(low_y, high_y + 1):
-        left, y = at(10.0**low_x, 10.0 ** (2 * power))
-        right, _ = at(10.0**high_x, 10.0 ** (2 * power))
-        lines.append(f'<path d="M{left:.1f} {y:.1f}H{right:.1f}" stroke="#ddd"/>')
-        lines.append(
-            f'<text x="{left - 6:.1f}" y="{y + 4:.1f}" text-anchor="end">{10.0**power:g}</text>'
-        )
-    lines.append(
-        f'<text x="{margin}" y="30">standard deviation of a pixel, against rendering time</text>'
-    )
+    title = "standard deviation of a pixel, against rendering time"
+    shapes = ['<rect width="640" height="420" fill="white"/>', text(60, 30, title, anchor="start")]
+    for x in range(left, right + 1):
+        shapes.append(line(*at(x, low), *at(x, high), "#ddd", 1))
+        shapes.append(text(at(x, low)[0], 378, f"{10.0**x:g} s", size=13))
+    for y in range(low, high + 1):
+        shapes.append(line(*at(left, y), *at(right, y), "#ddd", 1))
+        shapes.append(text(54, at(left, y)[1] + 4, f"{10.0**y:g}", anchor="end", size=13))
     for i, (name, points) in enumerate(curves):
-        color = COLOURS[i // 2 % len(COLOURS)]
-        dashes = ' stroke-dasharray="6 4"' if i % 2 == 0 else ""
-        path = " ".join(f"{x:.1f},{y:.1f}" for x, y in (at(*point) for point in points))
-        lines.append(
-            f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="2"{dashes}/>'
-        )
-        y = margin + 20 * i
-        lines.append(f'<path d="M{width - 160} {y}h30" stroke="{color}" stroke-width="2"{dashes}/>')
-        lines.append(f'<text x="{width - 124}" y="{y + 4}">{name}</text>')
-    return "\n".join([*lines, "</svg>"]) + "\n"
+        color, dash, y = COLORS[i // 2 % len(COLORS)], "" if i % 2 else "6 4", 60 + 20 * i
+        shapes.append(curve([at(*point) for point in points], color, 2, dash))
+        shapes.append(line(480, y, 510, y, color, 2, dash=dash))
+        shapes.append(text(516, y + 4, name, anchor="start", size=13))
+    return svg(shapes, 640, 420)
 
 
 def main():

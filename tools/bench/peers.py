@@ -85,9 +85,7 @@ def mitsuba_scene(mi, toml):
             up = [0, 0, 1] if normal[2] == 0 else [0, 1, 0]
             entry = {
                 "type": "rectangle",
-                "to_world": transform().look_at(
-                    origin=at, target=[a + n for a, n in zip(at, normal)], up=up
-                )
+                "to_world": transform().look_at(origin=at, target=[a + n for a, n in zip(at, normal)], up=up)
                 @ transform().scale([FAR, FAR, 1]),
             }
         if "ke" in material:
@@ -177,15 +175,12 @@ def main():
         if name.endswith("diffuse"):
             for mean, program in zip(means[1:], programs[1:]):
                 if not numpy.allclose(mean, means[0], rtol=0.01):
-                    sys.exit(
-                        f"{name}: {program.variant} has the mean {mean} and stage 4 has {means[0]}"
-                    )
+                    sys.exit(f"{name}: {program.variant} has the mean {mean} and stage 4 has {means[0]}")
         samples = math.prod(toml["camera"]["size"]) * options.spp
         medians = [statistics.median(t) for t in times]
         for program, median in zip(programs, medians):
             print(
-                f"| {name} | {program.variant} | {samples / median / 1e6:.2f}"
-                f" | {median / medians[0]:.1f} |",
+                f"| {name} | {program.variant} | {samples / median / 1e6:.2f} | {median / medians[0]:.1f} |",
                 flush=True,
             )
 

@@ -28,8 +28,7 @@ html_theme = "furo"
 html_theme_options = {
     "navigation_with_keys": True,
     "light_css_variables": {
-        "font-stack": "'Source Serif 4', 'Charter', 'Bitstream Charter', "
-        "'Georgia', 'DejaVu Serif', serif",
+        "font-stack": "'Source Serif 4', 'Charter', 'Bitstream Charter', 'Georgia', 'DejaVu Serif', serif",
         "font-stack--monospace": "'JetBrains Mono', 'SFMono-Regular', "
         "'Menlo', 'Consolas', 'DejaVu Sans Mono', "
         "monospace",

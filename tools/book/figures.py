@@ -31,9 +31,7 @@ class PlacedFigures(Figures):
             lines += [f"Made with {facts}.", ""]
         if commands:
             lines += [
-                "::::{dropdown} The commands"
-                if len(commands) > 1
-                else "::::{dropdown} The command",
+                "::::{dropdown} The commands" if len(commands) > 1 else "::::{dropdown} The command",
                 "```sh",
                 *commands,
                 "```",

@@ -29,9 +29,7 @@ def benchmarks(path):
     for name, same in runs.items():
         time = median(run["real_time"] * scale[run["time_unit"]] for run in same)
         rate = median(run.get("items_per_second", 0) for run in same)
-        lines.append(
-            f"| {name} | {with_unit(time, 's')} | {with_unit(rate, '/s') if rate else ''} |"
-        )
+        lines.append(f"| {name} | {with_unit(time, 's')} | {with_unit(rate, '/s') if rate else ''} |")
     return lines
 
 
@@ -52,8 +50,7 @@ def measurements_page(source):
     if not (efficiency.exists() and bench.exists() and chart.exists()):
         return [
             *page,
-            "This book was made before anything was measured: run "
-            "`make bench`, and then `make book` again.",
+            "This book was made before anything was measured: run `make bench`, and then `make book` again.",
             "",
         ]
     (source / "figures").mkdir(parents=True, exist_ok=True)

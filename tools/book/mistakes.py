@@ -29,9 +29,7 @@ def picture(source, stage, name):
     report = folder / "report.txt"
     if not report.exists():
         return []
-    for scene, verdict in re.findall(
-        rf"golden image (\w+) of stage{stage}: (.*)", report.read_text()
-    ):
+    for scene, verdict in re.findall(rf"golden image (\w+) of stage{stage}: (.*)", report.read_text()):
         image = folder / "golden_failures" / f"stage{stage}_{scene}.png"
         if image.exists():
             target = source / "mistakes" / f"stage{stage}-{name}.png"
@@ -51,12 +49,7 @@ def gallery_entry(source, stage, entry):
     lines = [f"### {title}", "", quoted(entry["sentence"]), "", *change(entry)]
     if entry.get("verdict") == "pass":
         return [*lines, "*Must pass: this is not a mistake.*", ""]
-    return [
-        *lines,
-        *picture(source, stage, entry["name"]),
-        f"Caught by: “{quoted(entry['caught_by'])}”",
-        "",
-    ]
+    return [*lines, *picture(source, stage, entry["name"]), f"Caught by: “{quoted(entry['caught_by'])}”", ""]
 
 
 def mistakes_page(source):
@@ -73,9 +66,7 @@ def mistakes_page(source):
     ]
     count = 0
     for path in sorted(ROOT.glob("tests/mistakes/stage*.toml")):
-        entries = next(
-            (v for v in tomllib.loads(path.read_text()).values() if isinstance(v, list)), []
-        )
+        entries = next((v for v in tomllib.loads(path.read_text()).values() if isinstance(v, list)), [])
         stage = path.stem.removeprefix("stage")
         page += [f"## Stage {stage}", ""] if entries else []
         for entry in entries:

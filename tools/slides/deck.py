@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from compare.stages import ROOT, Failure
 
 COMMENT = re.compile(r"<!--\s*(.*?)\s*-->", re.S)
-FENCE = re.compile(r"^(```|~~~).*?^\1\s*$", re.S | re.M)
 
 
 @dataclass
@@ -52,9 +51,7 @@ class Deck:
         text = path.read_text()
         head = re.match(r"---\ntitle: (.*)\n---\n", text)
         if not head:
-            raise Failure(
-                f"{path.relative_to(ROOT)}:1: a deck begins with '---', 'title: ...' and '---'"
-            )
+            raise Failure(f"{path.relative_to(ROOT)}:1: a deck begins with '---', 'title: ...' and '---'")
         self.title = head[1]
         self.slides, line = [], 4
         for number, part in enumerate(re.split(r"^---\n", text[head.end() :], flags=re.M), 1):
@@ -71,13 +68,10 @@ class Deck:
             if not slide.heading:
                 raise Failure(f"{slide.where}: a slide without '# heading'")
             if slide.minutes is None:
-                raise Failure(
-                    f"{slide.where}: the notes of '{slide.heading}' begin with '<!-- N min'"
-                )
+                raise Failure(f"{slide.where}: the notes of '{slide.heading}' begin with '<!-- N min'")
             if re.search(r":\s", slide.notes):
                 raise Failure(
-                    f"{slide.where}: Marp takes a colon in notes "
-                    "for a setting; write the sentence without"
+                    f"{slide.where}: Marp takes a colon in notes for a setting; write the sentence without"
                 )
 
 

@@ -17,8 +17,7 @@ def deck_row(deck):
 def title_row(entry, by_name):
     deck = by_name[entry["deck"]]
     pages = ", ".join(
-        f'<a href="{deck.name}.html#{s.number}">{s.number}</a>'
-        for s in shown_on(entry["title"], deck)
+        f'<a href="{deck.name}.html#{s.number}">{s.number}</a>' for s in shown_on(entry["title"], deck)
     )
     chapter = escape(entry.get("chapter", "").replace("/path_tracer.hpp", ""))
     return (

@@ -25,14 +25,11 @@ def excerpt(lines, steps, reference):
     where a block closes."""
     chosen = []
     for step in steps:
-        first = next(
-            (n for n, line in enumerate(lines) if line.strip().lstrip("/ ").startswith(step)), None
-        )
+        first = next((n for n, line in enumerate(lines) if line.strip().lstrip("/ ").startswith(step)), None)
         if first is None:
             raise Failure(f"{reference}: no step begins '{step}'")
         last = next(
-            (n for n in range(first, len(lines)) if indent(lines[n]) < indent(lines[first])),
-            len(lines),
+            (n for n in range(first, len(lines)) if indent(lines[n]) < indent(lines[first])), len(lines)
         )
         if chosen:
             chosen.append(None)
@@ -64,9 +61,7 @@ def listing(reference, steps="", width=1112, height=485):
             f"{max(map(len, lines))} columns do not fit a slide; "
             "name its steps"
         )
-    html = highlight(
-        "\n".join(lines), CppLexer(stripnl=False), HtmlFormatter(nowrap=True, hl_lines=marked)
-    )
+    html = highlight("\n".join(lines), CppLexer(stripnl=False), HtmlFormatter(nowrap=True, hl_lines=marked))
     return (
         f'<pre class="listing" style="font-size: {size:.2f}px">'
         f"{html.rstrip()}</pre>\n"
@@ -77,9 +72,7 @@ def listing(reference, steps="", width=1112, height=485):
 def colors():
     rules = HtmlFormatter(style=STYLE).get_style_defs("pre.listing")
     return "\n".join(
-        rule
-        for rule in rules.split("\n")
-        if "<" not in rule and re.match(r"pre\.listing \.(?!hll)", rule)
+        rule for rule in rules.split("\n") if "<" not in rule and re.match(r"pre\.listing \.(?!hll)", rule)
     )
 
 

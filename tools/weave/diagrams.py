@@ -57,13 +57,11 @@ def two_densities():
         for u, v in pairs:
             sine = math.sqrt(u) if cosine else math.sqrt(1 - u * u)
             phi = 2 * math.pi * v
-            yield circle(
-                x + 100 * sine * math.cos(phi), 130 + 100 * sine * math.sin(phi), 1.7, WARM
-            )
+            yield circle(x + 100 * sine * math.cos(phi), 130 + 100 * sine * math.sin(phi), 1.7, WARM)
         yield text(x, 262, name)
-        share = sum(
-            (math.sqrt(1 - u) if cosine else u) > math.cos(math.radians(60)) for u, _ in pairs
-        ) / len(pairs)
+        share = sum((math.sqrt(1 - u) if cosine else u) > math.cos(math.radians(60)) for u, _ in pairs) / len(
+            pairs
+        )
         yield text(x, 284, f"{share:.0%} within 60° of the normal", SOFT, size=13)
 
 
@@ -134,9 +132,7 @@ def snell():
             out = math.degrees(math.asin(min(sine, 1)))
             yield ray(x, y, out if out < 89 else 90, 80, WARM)
             yield text(
-                *polar(x + 6, y - 10 if out > 89 else y, min(out, 84), 64 if out > 89 else 88),
-                "w_i",
-                WARM,
+                *polar(x + 6, y - 10 if out > 89 else y, min(out, 84), 64 if out > 89 else 88), "w_i", WARM
             )
         else:
             yield text(x + 36, y - 40, "none", WARM)
@@ -151,10 +147,7 @@ def bar(y, parts, end):
     x = 30
     for name, share, color in parts:
         width = 440 * share
-        yield (
-            f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" '
-            f'fill="{color}" stroke="#fff"/>'
-        )
+        yield (f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" fill="{color}" stroke="#fff"/>')
         yield text(x + width / 2, y + 25, name, "#fff", size=13)
         x += width
     yield line(30 + 440 * end, y - 8, 30 + 440 * end, y + 48, INK, 1.5)
@@ -252,18 +245,12 @@ def fresnel(degrees, ratio):
 
 @diagram("fresnel-curves", 520, 290)
 def fresnel_curves():
-    for x0, ratio, name, mark in (
-        (44, 1 / 1.5, "from outside", 56.31),
-        (294, 1.5, "from inside", 41.81),
-    ):
+    for x0, ratio, name, mark in ((44, 1 / 1.5, "from outside", 56.31), (294, 1.5, "from inside", 41.81)):
         y0, width, height = 235, 200, 190
         yield from axes(x0, y0, width, height)
         for i, (color, dash) in enumerate(((INK, ""), (WARM, "6 3"), (COOL, "2 3"))):
             yield curve(
-                [
-                    (x0 + width * a / 180, y0 - height * fresnel(a / 2, ratio)[i])
-                    for a in range(0, 181)
-                ],
+                [(x0 + width * a / 180, y0 - height * fresnel(a / 2, ratio)[i]) for a in range(0, 181)],
                 color,
                 2 if not i else 1.6,
                 dash,

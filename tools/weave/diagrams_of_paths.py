@@ -93,10 +93,7 @@ def one_path():
         if 0 < number:
             yield circle(*a, 5)
             yield text(
-                a[0] + (18 if a[0] < 500 else -16),
-                a[1] + (20 if a[1] < 200 else -10),
-                str(number),
-                size=14,
+                a[0] + (18 if a[0] < 500 else -16), a[1] + (20 if a[1] < 200 else -10), str(number), size=14
             )
     yield text(50, 146, "camera", SOFT, "start", size=14)
     yield text(316, 52, "its emission, times the product", WARM, "start", size=13)
@@ -154,21 +151,14 @@ def densities():
     """Both densities of theta, and their distributions."""
     for x0, name, functions in (
         (40, "density of θ", ((math.sin, WARM), (lambda t: math.sin(2 * t), COOL))),
-        (
-            320,
-            "its distribution",
-            ((lambda t: 1 - math.cos(t), WARM), (lambda t: math.sin(t) ** 2, COOL)),
-        ),
+        (320, "its distribution", ((lambda t: 1 - math.cos(t), WARM), (lambda t: math.sin(t) ** 2, COOL))),
     ):
         y0, width, height = 215, 200, 165
         yield line(x0, y0, x0 + width, y0)
         yield line(x0, y0, x0, y0 - height - 8)
         for function, color in functions:
             yield curve(
-                [
-                    (x0 + width * i / 60, y0 - height * function(math.pi / 2 * i / 60))
-                    for i in range(61)
-                ],
+                [(x0 + width * i / 60, y0 - height * function(math.pi / 2 * i / 60)) for i in range(61)],
                 color,
                 2.4,
             )

@@ -22,6 +22,10 @@ def draw(name):
     if name not in DRAWN:
         raise Failure(f"nobody draws '{name}'")
     function, width, height = DRAWN[name]
+    return svg(function(), width, height)
+
+
+def svg(shapes, width, height):
     heads = "".join(
         f'<marker id="{color[1:]}" viewBox="0 0 8 8" refX="7" refY="4" '
         'markerWidth="7" markerHeight="7" orient="auto-start-reverse">'
@@ -29,10 +33,9 @@ def draw(name):
         for color in (INK, SOFT, WARM, COOL, GREEN)
     )
     return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" '
-        f'viewBox="0 0 {width} {height}" width="{width}" '
-        f'height="{height}" font-family="Georgia, DejaVu Serif, serif" '
-        f'font-size="15" fill="{INK}"><defs>{heads}</defs>' + "".join(function()) + "</svg>\n"
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" '
+        f'height="{height}" font-family="Georgia, DejaVu Serif, serif" font-size="15" fill="{INK}">'
+        f"<defs>{heads}</defs>{''.join(shapes)}</svg>\n"
     )
 
 
@@ -48,9 +51,7 @@ def line(x1, y1, x2, y2, color=INK, width=1.6, arrow=False, dash=""):
 def curve(points, color=INK, width=1.8, dash=""):
     path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
     dashes = f' stroke-dasharray="{dash}"' if dash else ""
-    return (
-        f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="{width}"{dashes}/>'
-    )
+    return f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="{width}"{dashes}/>'
 
 
 def text(x, y, words, color=INK, anchor="middle", style="", size=15):

@@ -19,11 +19,7 @@ def formulas(text, where, first_line=1):
     for match in FORMULA.finditer(blank):
         line = first_line + blank.count("\n", 0, match.start())
         found.append(
-            {
-                "tex": (match[1] or match[2]).strip(),
-                "display": bool(match[1]),
-                "where": f"{where}:{line}",
-            }
+            {"tex": (match[1] or match[2]).strip(), "display": bool(match[1]), "where": f"{where}:{line}"}
         )
     return found
 
@@ -42,10 +38,7 @@ def formulas_of_header(header):
 def check_formulas(found):
     script = Path(__file__).with_name("check_formulas.cjs")
     run = subprocess.run(
-        ["node", script, BUILD / "node/node_modules"],
-        input=json.dumps(found),
-        capture_output=True,
-        text=True,
+        ["node", script, BUILD / "node/node_modules"], input=json.dumps(found), capture_output=True, text=True
     )
     if run.returncode:
         raise Failure((run.stdout or run.stderr).strip().split("\n")[0])

@@ -13,13 +13,7 @@ IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 def known_names():
     """Every identifier of the code, every word of the scene format."""
     names = set()
-    for pattern in (
-        "common/**/*.hpp",
-        "common/**/*.cpp",
-        "stages/*.hpp",
-        "stages/*/*.hpp",
-        "stages/*/*.cpp",
-    ):
+    for pattern in ("common/**/*.hpp", "common/**/*.cpp", "stages/*.hpp", "stages/*/*.hpp", "stages/*/*.cpp"):
         for path in ROOT.glob(pattern):
             code = re.sub(r"//.*", "", path.read_text())
             names.update(IDENTIFIER.findall(code))
@@ -33,9 +27,7 @@ def exists(code):
         return True
     option = re.match(r"--([a-z-]+)", code)
     if option:
-        return any(
-            f'"--{option[1]}' in path.read_text() for path in ROOT.glob("common/program/*.?pp")
-        )
+        return any(f'"--{option[1]}' in path.read_text() for path in ROOT.glob("common/program/*.?pp"))
     words = IDENTIFIER.findall(re.sub(r'"[^"]*"', "", code))
     return all(word in known_names() for word in words)
 

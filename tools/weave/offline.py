@@ -28,8 +28,7 @@ def check_offline(folder):
         if found:
             address = next(filter(None, found.groups())).strip("\"' ")
             raise Failure(
-                f"{path.relative_to(folder.parent)}: asks "
-                f"{address}; pages must work without a network"
+                f"{path.relative_to(folder.parent)}: asks {address}; pages must work without a network"
             )
 
 

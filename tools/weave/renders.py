@@ -91,6 +91,4 @@ class Render:
         return facts
 
     def command(self):
-        return shlex.join(
-            [f"build/stage{self.stage}", self.scene, "-o", "picture.png", *self.options]
-        )
+        return shlex.join([f"build/stage{self.stage}", self.scene, "-o", "picture.png", *self.options])
