@@ -15,8 +15,11 @@ scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers mistakes goldens \
-  signatures diff null-test clean $(stages) $(addprefix test-,$(stages))
+  signatures diff null-test bench-compare setup-bench format clean $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
+
+# All Python here finds the tree at the folder that make runs in.
+export LIGHTWALK_BUILD := $(abspath $(BUILD))
 
 .DEFAULT_GOAL := picture
 
@@ -41,6 +44,7 @@ help:
 	@echo "make book          weave the book: $(BUILD)/book/index.html"
 	@echo "make slides        set the slides: $(BUILD)/slides/index.html"
 	@echo "make test-site     test the book and the slides, in a browser too"
+	@echo "make format        set code in the house's style (CHECK=1 only tells)"
 	@echo "make setup         install what is missing (SETUP=print only says what)"
 	@echo "make clean         delete $(BUILD)/"
 	@echo "make help          this list"
@@ -74,11 +78,11 @@ $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
 # B may be stages, images, or programs. Exit code 1 where they differ.
 diff: build
 	@cmake --build $(BUILD) -j $(JOBS) --target stage-diff
-	@BUILD=$(BUILD) OPTIONS="$(OPTIONS)" tools/diff.sh "$(A)" "$(B)" "$(SCENE)"
+	@BUILD=$(BUILD) OPTIONS="$(OPTIONS)" compare/diff.sh "$(A)" "$(B)" "$(SCENE)"
 
 # Remakes the images that the stages are held to: minutes.
 goldens: build
-	@LIGHTWALK_BUILD=$(abspath $(BUILD)) python3 tests/golden/make_goldens.py
+	@python3 -m tests.golden.make_goldens
 
 # How often the goldens reject a right program: minutes.
 SEEDS ?= 200
@@ -90,34 +94,55 @@ null-test: build
 # names a few of them, or gives the program's options: MISTAKES="--stage 2".
 mistakes: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS)
-	@python3 tools/mistakes.py --build $(BUILD) -j $(JOBS) $(MISTAKES)
+	@python3 -m tests.mistakes.mistakes -j $(JOBS) $(MISTAKES)
 
 # What the known mistakes look like, so that a failing golden can be told which
 # of them it resembles: minutes.
 signatures: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS)
-	@python3 tools/signatures.py --build $(BUILD) -j $(JOBS)
+	@python3 -m tests.mistakes.signatures -j $(JOBS)
 
-# Repetitions, since times scatter: BASE names an earlier bench.json.
-BENCH_ARGS ?= --benchmark_repetitions=5 --benchmark_min_time=0.1
+# Repetitions, since times scatter: BASE names an earlier bench.json, which
+# Google Benchmark's own compare.py sets beside this one.
+BENCH_ARGS ?= --benchmark_repetitions=9 --benchmark_min_time=0.1
 bench: build
 	@cmake --build $(BUILD) -j $(JOBS) --target benchmarks
 	@$(BUILD)/benchmarks $(BENCH_ARGS) --benchmark_out_format=json \
-	  --benchmark_out=$(BUILD)/bench.json > /dev/null
-	@tools/compare_benchmarks.py $(BUILD)/bench.json > $(BUILD)/bench.md
-	@tools/compare_benchmarks.py $(BUILD)/bench.json $(BASE)
-	@tools/efficiency.py --build $(BUILD) --chart $(BUILD)/convergence.svg \
+	  --benchmark_out=$(BUILD)/bench.json \
+	  --benchmark_display_aggregates_only=true
+	@$(if $(BASE),$(MAKE) --no-print-directory bench-compare)
+	@python3 -m tools.bench.efficiency --chart $(BUILD)/convergence.svg \
 	  > $(BUILD)/efficiency.md
 	@cat $(BUILD)/efficiency.md
 
-# Mitsuba 3 in an environment of its own, side by side with stage 4. LLVM is
-# the system's: `apt-get install libllvm19` where Debian 12 has it, and
+# Peers and comparisons come from PyPI, in an environment of their own.
+$(BUILD)/bench-venv/made: tools/bench/requirements.txt
+	@python3 -m venv $(@D)
+	@$(@D)/bin/python -m pip install --quiet -r $<
+	@touch $@
+
+setup-bench: setup
+	@tools/setup.sh bench
+
+compare_py = $(firstword $(wildcard $(addsuffix /compare.py, \
+  /usr/share/benchmark $(addsuffix /share/googlebenchmark/tools, \
+  /opt/homebrew /usr/local))))
+bench-compare: setup-bench $(BUILD)/bench-venv/made
+	@$(BUILD)/bench-venv/bin/python $(or $(compare_py),$(error \
+	  Google Benchmark came without its compare.py)) --no-color \
+	  -a benchmarks $(BASE) $(BUILD)/bench.json
+
+# Mitsuba 3 side by side with stage 4. LLVM is the system's: `apt-get install
+# libllvm19` where Debian 12 has it, and
 # DRJIT_LIBLLVM_PATH=/usr/lib/x86_64-linux-gnu/libLLVM.so.19.1
-peers := $(BUILD)/peers
-bench-peers: build
-	@test -d $(peers) || python3 -m venv $(peers)
-	@$(peers)/bin/pip install -q mitsuba numpy
-	@$(peers)/bin/python tools/bench_peers.py --build $(BUILD)
+bench-peers: build $(BUILD)/bench-venv/made
+	@$(BUILD)/bench-venv/bin/python -m tools.bench.peers
+
+# CHECK=1 only tells what is not formatted.
+format: $(BUILD)/venv/made
+	@git ls-files '*.hpp' '*.cpp' | xargs $(BUILD)/venv/bin/clang-format \
+	  $(if $(CHECK),--dry-run --Werror,-i)
+	@$(BUILD)/venv/bin/ruff format --quiet $(if $(CHECK),--diff) .
 
 clean:
 	@cmake -E rm -rf $(BUILD)

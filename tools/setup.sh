@@ -7,6 +7,7 @@
 #   setup.sh         what `make` and `make test` need
 #   setup.sh site    what the book needs besides
 #   setup.sh slides  what the slides and the browser tests need besides
+#   setup.sh bench   what comparing benchmarks needs besides
 set -eu
 
 debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
@@ -21,6 +22,9 @@ if [ "${1:-}" = site ]; then
   command -v node >/dev/null || debian_packages="$debian_packages nodejs"
   command -v npm >/dev/null || debian_packages="$debian_packages npm"
   brew_packages="node python"
+elif [ "${1:-}" = bench ]; then
+  debian_packages="python3-venv libbenchmark-tools"
+  brew_packages="google-benchmark python"
 elif [ "${1:-}" = slides ]; then
   # Any Chromium or Chrome will do, wherever it comes from.
   for browser in chromium google-chrome chromium-browser; do

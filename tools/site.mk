@@ -10,27 +10,25 @@ setup-site: setup
 setup-slides: setup
 	@tools/setup.sh slides
 
-$(BUILD)/venv/made: tools/book/requirements.txt | setup-site
+$(BUILD)/venv/made: tools/requirements.txt | setup-site
 	@python3 -m venv $(BUILD)/venv
 	@$(site_python) -m pip install --quiet -r $<
 	@touch $@
 
-$(BUILD)/node/made: tools/book/package.json | setup-site
+$(BUILD)/node/made: tools/package.json | setup-site
 	@mkdir -p $(BUILD)/node && cp $< $(BUILD)/node/
 	@cd $(BUILD)/node && npm install --silent --no-audit --no-fund \
 	  --ignore-scripts
 	@touch $@
 
 book: build $(BUILD)/venv/made $(BUILD)/node/made
-	@$(site_python) tools/book/build.py $(BUILD)
+	@$(site_python) -m tools.book.build
 
 slides: build setup-slides $(BUILD)/venv/made $(BUILD)/node/made
-	@$(site_python) tools/slides/build.py $(BUILD)
+	@$(site_python) -m tools.slides.build
 
 # What stops a build is tested on copies of the sources, what was built in a
 # browser.
 test-site: book slides
-	@LIGHTWALK_BUILD=$(abspath $(BUILD)) $(site_python) -m unittest discover \
-	  -s tests/site
-	@LIGHTWALK_BUILD=$(abspath $(BUILD)) node --test --test-reporter=spec \
-	  tests/site/*.test.cjs
+	@$(site_python) -m unittest tests/site/test_*.py
+	@node --test --test-reporter=spec tests/site/*.test.cjs

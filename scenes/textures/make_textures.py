@@ -16,9 +16,7 @@ def write_png(path, width, height, pixel):
     for row in range(height):
         rows.append(0)  # no filter
         for column in range(width):
-            rows += bytes(
-                max(0, min(255, round(255 * c))) for c in pixel(column, row)
-            )
+            rows += bytes(max(0, min(255, round(255 * c))) for c in pixel(column, row))
 
     def chunk(kind, data):
         check = zlib.crc32(kind + data)
@@ -87,9 +85,7 @@ def marble(column, row, size=256):
     u, v = (2 * math.pi * (i + 0.5) / size for i in (column, row))
     # A torus in four dimensions has no edge; two of them at a time will do.
     cloud = 0.5 * fractal(1.3 * math.cos(u) + 9, 1.3 * math.sin(u) + 9, 3)
-    cloud += 0.5 * fractal(
-        1.3 * math.cos(v) + 5, 1.3 * math.sin(v) + 5, 1.3 * math.cos(u) + 5
-    )
+    cloud += 0.5 * fractal(1.3 * math.cos(v) + 5, 1.3 * math.sin(v) + 5, 1.3 * math.cos(u) + 5)
     vein = abs(math.sin(u + 2 * v + 14 * cloud)) ** 0.35
     return mix([0.35, 0.33, 0.36], [0.93, 0.91, 0.88], vein)
 

@@ -7,22 +7,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "tests/support/renders.hpp"
-#if __has_include("stages/1_diffuse/path_tracer.hpp")
-#include "stages/1_diffuse/path_tracer.hpp"
-#endif
-#if __has_include("stages/2_next_event/path_tracer.hpp")
-#include "stages/2_next_event/path_tracer.hpp"
-#endif
-#if __has_include("stages/3_specular_refraction/path_tracer.hpp")
-#include "stages/3_specular_refraction/path_tracer.hpp"
-#endif
-#if __has_include("stages/4_russian_roulette/path_tracer.hpp")
-#include "stages/4_russian_roulette/path_tracer.hpp"
-#endif
-#if __has_include("stages/5_fresnel_textures/path_tracer.hpp")
-#include "stages/5_fresnel_textures/path_tracer.hpp"
-#endif
+#include "all_stages.hpp"
+#include "support/goldens.hpp"
 
 namespace {
 constinit std::atomic<long> allocations{0};
@@ -58,11 +44,6 @@ long allocations_of(const Scene& scene, std::uint32_t samples) {
   return allocations - before;
 }
 
-template <class PathTracer>
-void check_allocations(const Scene& scene) {
-  CHECK(allocations_of<PathTracer>(scene, 4) == 0);
-}
-
 }  // namespace
 
 TEST_CASE("the count of allocations counts") {
@@ -72,23 +53,13 @@ TEST_CASE("the count of allocations counts") {
 }
 
 TEST_CASE("no stage allocates memory while it renders") {
-#if __has_include("stages/1_diffuse/path_tracer.hpp")
-  check_allocations<stage1::PathTracer>(
-      scene_file("cornell_box_ceiling_diffuse", 64, 64));
-#endif
-#if __has_include("stages/2_next_event/path_tracer.hpp")
-  check_allocations<stage2::PathTracer>(
-      scene_file("cornell_box_lamp_diffuse", 64, 64));
-#endif
-#if __has_include("stages/3_specular_refraction/path_tracer.hpp")
-  check_allocations<stage3::PathTracer>(
-      scene_file("cornell_box_point", 64, 64));
-#endif
-#if __has_include("stages/4_russian_roulette/path_tracer.hpp")
-  check_allocations<stage4::PathTracer>(
-      scene_file("cornell_box_point", 64, 64));
-#endif
-#if __has_include("stages/5_fresnel_textures/path_tracer.hpp")
-  check_allocations<stage5::PathTracer>(scene_file("textured_globe", 64, 64));
-#endif
+  for_each_stage([]<class PathTracer>(int stage) {
+    const std::vector<std::string> names = golden_names(stage);
+    CHECK_FALSE(names.empty());
+    for (const std::string& name : names) {
+      CAPTURE(stage);
+      CAPTURE(name);
+      CHECK(allocations_of<PathTracer>(scene_file(name, 64, 64), 4) == 0);
+    }
+  });
 }

@@ -8,9 +8,9 @@
 #include <string>
 #include <thread>
 
+#include "all_stages.hpp"
 #include "common/render/paint.hpp"
 #include "common/scene_file/scene_file.hpp"
-#include "stages/5_fresnel_textures/path_tracer.hpp"
 #include "stages/introductions.hpp"
 
 using namespace lightwalk;
@@ -190,19 +190,16 @@ BENCHMARK(cost_of_building)
 
 // The stages, each with the boxes that it can render.
 const bool stages_are_registered = [] {
-  const std::string ceiling = "cornell_box_ceiling";
-  const std::string point = "cornell_box_point";
-  const std::string diffuse = "_diffuse";
-  add_stage<stage1::PathTracer>(1, ceiling + diffuse, {.bounces = 8});
-  add_stage<stage2::PathTracer>(2, ceiling + diffuse, {.bounces = 8});
-  add_stage<stage2::PathTracer>(2, point + diffuse, {.bounces = 8});
-  add_stage<stage3::PathTracer>(3, ceiling, {.bounces = 6});
-  add_stage<stage3::PathTracer>(3, point, {.bounces = 6});
-  add_stage<stage4::PathTracer>(4, ceiling, {});
-  add_stage<stage4::PathTracer>(4, point, {});
-  add_stage<stage5::PathTracer>(5, ceiling, {});
-  add_stage<stage5::PathTracer>(5, point, {});
-  add_stage<stage5::PathTracer>(5, "textured_globe", {});
+  tests::for_each_stage([]<class PathTracer>(int stage) {
+    const std::string diffuse = stage < 3 ? "_diffuse" : "";
+    Work work;
+    if (stage < 4) work.bounces = stage < 3 ? 8 : 6;
+    add_stage<PathTracer>(stage, "cornell_box_ceiling" + diffuse, work);
+    if (stage < 2) return;
+    add_stage<PathTracer>(stage, "cornell_box_point" + diffuse, work);
+    if (stage < 5) return;
+    add_stage<PathTracer>(stage, "textured_globe", work);
+  });
   return true;
 }();
 

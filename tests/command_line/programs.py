@@ -1,56 +1,24 @@
-"""Runs the programs of the build folder as their users do."""
+"""What the tests of the command line share: a run that ends, and a folder."""
 
-import os
+import functools
 import pathlib
 import shutil
-import struct
-import subprocess
 import tempfile
 import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BUILD = pathlib.Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
-SCENES = ROOT / "scenes"
+from compare import stages
+from compare.stages import BUILD, ROOT, SCENES, built_stages, read_pfm  # noqa: F401
 
 # No test expects anything to take so long: a hang shall end in a failure.
 HANG = 120
 
-
-def built_stages():
-    """The names of the programs that there are, the newest last."""
-    return sorted(path.name for path in BUILD.glob("stage[1-9]"))
+run = functools.partial(stages.run, timeout=HANG)
 
 
 def sanitized():
     """Whether the programs are sanitizer builds, which reserve terabytes."""
     cache = (BUILD / "CMakeCache.txt").read_text()
     return "LIGHTWALK_SANITIZE:STRING=address" in cache
-
-
-def run(program, *arguments, folder=None, **options):
-    """Runs a program to its end; what it prints is text."""
-    return subprocess.run(
-        [BUILD / program, *map(str, arguments)],
-        cwd=folder,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        encoding="utf-8",
-        errors="backslashreplace",
-        timeout=HANG,
-        **options,
-    )
-
-
-def read_pfm(path):
-    """Width, height and the pixels' (r, g, b), row by row from the top."""
-    magic, size, scale, data = path.read_bytes().split(b"\n", 3)
-    width, height = map(int, size.split())
-    if (magic, scale, len(data)) != (b"PF", b"-1.0", 12 * width * height):
-        raise ValueError(f"{path} is not the .pfm that the stages write")
-    pixels = list(struct.iter_unpack("<3f", data))
-    rows = [pixels[i : i + width] for i in range(0, len(pixels), width)]
-    return width, height, [pixel for row in reversed(rows) for pixel in row]
 
 
 class InFolder(unittest.TestCase):

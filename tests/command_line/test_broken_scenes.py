@@ -17,9 +17,7 @@ class BrokenScenes(InFolder):
         scene = broken.scene
         data = scene if isinstance(scene, bytes) else scene.encode()
         (self.folder / "scene.toml").write_bytes(data)
-        result = run(
-            broken.program, "scene.toml", "-o", "out.pfm", folder=self.folder
-        )
+        result = run(broken.program, "scene.toml", "-o", "out.pfm", folder=self.folder)
         place = re.match(r"\w+: scene\.toml:\d+:(\d+): .", result.stderr)
         if not place:
             self.fail(
@@ -42,9 +40,7 @@ for entry in BROKEN:
 class NoSceneFile(InFolder):
     def check(self, scene, message, **options):
         before = self.files()
-        result = run(
-            "stage1", scene, "-o", "out.pfm", folder=self.folder, **options
-        )
+        result = run("stage1", scene, "-o", "out.pfm", folder=self.folder, **options)
         self.assert_one_line(result, "stage1: " + message)
         self.assertEqual(self.files(), before)
 
@@ -63,9 +59,7 @@ class NoSceneFile(InFolder):
 
     def test_a_file_as_a_folder(self):
         (self.folder / "file").touch()
-        self.check(
-            "file/scene.toml", "file/scene.toml: there is no such scene file"
-        )
+        self.check("file/scene.toml", "file/scene.toml: there is no such scene file")
 
     def test_a_link_to_nowhere(self):
         (self.folder / "link.toml").symlink_to("nowhere")
@@ -100,9 +94,7 @@ class GoodScenes(InFolder):
 
     def accept(self, scene):
         (self.folder / "scene.toml").write_text(scene, encoding="utf-8")
-        result = run(
-            "stage1", "scene.toml", "-o", "out.pfm", folder=self.folder
-        )
+        result = run("stage1", "scene.toml", "-o", "out.pfm", folder=self.folder)
         self.assertEqual(result.stderr, "")
         self.assertEqual(result.returncode, 0)
         self.assertEqual(self.files(), ["out.pfm", "scene.toml"])

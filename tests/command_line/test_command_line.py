@@ -60,10 +60,7 @@ class Programs(InFolder):
 
     def start(self, *arguments, **options):
         process = subprocess.Popen(
-            [BUILD / "stage1", *map(str, arguments)],
-            cwd=self.folder,
-            stdin=subprocess.DEVNULL,
-            **options,
+            [BUILD / "stage1", *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL, **options
         )
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
@@ -100,9 +97,7 @@ class Options(Programs):
         for program in built_stages():
             result = self.run_here("--version", program=program)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
-            self.assertRegex(
-                result.stdout, rf"^{program} \(Lightwalk\) \d+\.\d+\.\d+\n$"
-            )
+            self.assertRegex(result.stdout, rf"^{program} \(Lightwalk\) \d+\.\d+\.\d+\n$")
 
     def test_a_scene_and_an_output_are_needed(self):
         self.wrong(about="scene is required")
@@ -132,9 +127,7 @@ class Options(Programs):
         ]:
             for value in values:
                 with self.subTest(f"{option} {value}"):
-                    self.wrong(
-                        BOX, "-o", "out.pfm", f"{option}={value}", about=option
-                    )
+                    self.wrong(BOX, "-o", "out.pfm", f"{option}={value}", about=option)
 
     def test_the_ends_of_the_ranges_are_taken(self):
         for option, *values in [
@@ -148,9 +141,7 @@ class Options(Programs):
             for value in values:
                 with self.subTest(f"{option} {value}"):
                     small = [] if option == "--size" else ["--size", "2x2"]
-                    self.render(
-                        *["-o", "out.pfm", "--spp", "1", option, value, *small]
-                    )
+                    self.render(*["-o", "out.pfm", "--spp", "1", option, value, *small])
 
     def test_the_ending_says_the_format(self):
         for name in ["out", "out.jpg", "out.pfm.gz", "pfm", ".pfm", "out."]:
@@ -169,9 +160,7 @@ class Renders(Programs):
     def test_no_number_of_threads_changes_a_bit(self):
         for threads in [1, 2, 7]:
             pfm, exr = f"{threads}.pfm", f"{threads}.exr"
-            self.render(
-                "-o", pfm, "-o", exr, "--threads", threads, *self.small
-            )
+            self.render("-o", pfm, "-o", exr, "--threads", threads, *self.small)
             why = f"{threads} threads give another picture than one"
             self.assertEqual(self.bytes_of(pfm), self.bytes_of("1.pfm"), why)
             self.assertEqual(self.bytes_of(exr), self.bytes_of("1.exr"), why)
@@ -179,13 +168,9 @@ class Renders(Programs):
     def test_no_instruction_set_changes_a_bit(self):
         self.render("-o", "fast.pfm", *self.small)
         environment = {**os.environ, "LIGHTWALK_INSTRUCTIONS": "baseline"}
-        result = self.run_here(
-            BOX, "-o", "baseline.pfm", *self.small, env=environment
-        )
+        result = self.run_here(BOX, "-o", "baseline.pfm", *self.small, env=environment)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(
-            self.bytes_of("fast.pfm"), self.bytes_of("baseline.pfm")
-        )
+        self.assertEqual(self.bytes_of("fast.pfm"), self.bytes_of("baseline.pfm"))
 
     def test_two_renders_are_equal_files_in_every_format(self):
         for name in ["a", "b"]:
@@ -225,16 +210,13 @@ class Renders(Programs):
         self.assertNotEqual(self.bytes_of("out.pfm"), self.bytes_of("0.pfm"))
 
     def test_samples_and_bounces_win_over_the_scene(self):
-        said = self.render(
-            *["-o", "out.pfm", "--size=8x8", "--spp=2", "--max-bounces=0"]
-        )
+        said = self.render(*["-o", "out.pfm", "--size=8x8", "--spp=2", "--max-bounces=0"])
         self.assertIn("out.pfm: 8 x 8, 2 samples per pixel\n", said)
 
     def test_no_bounces_show_only_what_emits(self):
         for bounces in [0, 1]:
             self.render(
-                *["-o", f"{bounces}.pfm", "--max-bounces", bounces],
-                *["--size", "8x8", "--spp", "32"],
+                *["-o", f"{bounces}.pfm", "--max-bounces", bounces], *["--size", "8x8", "--spp", "32"]
             )
         ceiling, floor = slice(0, 8), slice(56, 64)
         *_, pixels = read_pfm(self.folder / "0.pfm")
@@ -247,14 +229,11 @@ class Renders(Programs):
         sums = {}
         for sampling in ["cosine", "uniform"]:
             self.render(
-                *["-o", f"{sampling}.pfm", "--sampling", sampling],
-                *["--size", "8x8", "--spp", "256"],
+                *["-o", f"{sampling}.pfm", "--sampling", sampling], *["--size", "8x8", "--spp", "256"]
             )
             *_, pixels = read_pfm(self.folder / f"{sampling}.pfm")
             sums[sampling] = sum(map(sum, pixels))
-        self.assertNotEqual(
-            self.bytes_of("cosine.pfm"), self.bytes_of("uniform.pfm")
-        )
+        self.assertNotEqual(self.bytes_of("cosine.pfm"), self.bytes_of("uniform.pfm"))
         self.assertAlmostEqual(sums["uniform"] / sums["cosine"], 1, delta=0.05)
 
     def test_quiet_says_nothing(self):
@@ -328,9 +307,7 @@ class WhatCannotBeWritten(Programs):
     def refused(self, path, message, *others):
         before = self.files()
         result = self.run_here(BOX, *others, "-o", path, *FOR_EVER)
-        self.assert_one_line(
-            result, f"stage1: {path} cannot be written: {message}"
-        )
+        self.assert_one_line(result, f"stage1: {path} cannot be written: {message}")
         self.assertEqual(self.files(), before)
 
     def test_into_a_folder_that_is_not_there(self):
@@ -372,9 +349,7 @@ class WhatCannotBeWritten(Programs):
                 env=environment,
             )
             self.assert_one_line(
-                result,
-                f"stage1: out.{ending} cannot be written: the image library "
-                "cannot be loaded: ...",
+                result, f"stage1: out.{ending} cannot be written: the image library cannot be loaded: ..."
             )
             self.assertEqual(self.files(), ["stage1"])
 
@@ -382,8 +357,7 @@ class WhatCannotBeWritten(Programs):
         result = self.run_here(BOX, "-o", "out.pfm", "--size", "65536x65536")
         self.assert_one_line(
             result,
-            "stage1: an image of 65536 x 65536 pixels needs 481 GB of "
-            "memory, and this machine has ...",
+            "stage1: an image of 65536 x 65536 pixels needs 481 GB of memory, and this machine has ...",
         )
         self.assertEqual(self.files(), [])
 
@@ -401,9 +375,7 @@ class WhatCannotBeWritten(Programs):
                     preexec_fn=let_no_file_grow,
                     restore_signals=False,
                 )
-                self.assert_one_line(
-                    result, f"stage1: {out.name} cannot be written: ..."
-                )
+                self.assert_one_line(result, f"stage1: {out.name} cannot be written: ...")
                 self.assertEqual(out.read_text(), "the old file")
                 self.assertEqual(self.files(), [out.name])
                 out.unlink()
@@ -428,10 +400,7 @@ class CtrlC(Programs):
         stdout, stderr = process.communicate(timeout=HANG)
         self.assertEqual(process.returncode, 130, stderr)
         # No progress where stderr is not a terminal: this line is all.
-        said = re.fullmatch(
-            r"stage1: interrupted after (\d+) of 1000000000 samples per pixel\n",
-            stderr,
-        )
+        said = re.fullmatch(r"stage1: interrupted after (\d+) of 1000000000 samples per pixel\n", stderr)
         self.assertIsNotNone(said, stderr)
         samples = int(said[1])
         self.assertGreater(samples, 0)

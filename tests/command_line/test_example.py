@@ -26,8 +26,7 @@ class Example(InFolder):
             if os.path.isdir(f"{prefix[1]}/include/glm"):
                 command += ["-idirafter", f"{prefix[1]}/include"]
         built = subprocess.run(
-            [*command, "-MD", "-MF", "needs"],
-            cwd=self.folder, capture_output=True, text=True,
+            [*command, "-MD", "-MF", "needs"], cwd=self.folder, capture_output=True, text=True
         )
         self.assertEqual((built.returncode, built.stderr), (0, ""))
         # Nothing of another library, not even its headers.
@@ -38,8 +37,7 @@ class Example(InFolder):
 
         before = self.files()
         done = subprocess.run(
-            [self.folder / "paint"],
-            cwd=self.folder, capture_output=True, text=True, timeout=HANG,
+            [self.folder / "paint"], cwd=self.folder, capture_output=True, text=True, timeout=HANG
         )
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
         self.assertEqual(self.files(), sorted([*before, "box.pfm"]))

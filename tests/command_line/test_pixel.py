@@ -56,10 +56,7 @@ def square(material, z, towards_camera=True):
 
 
 def sphere(material, z, radius):
-    return (
-        f'[[shapes]]\ntype = "sphere"\nmaterial = "{material}"\n'
-        f"center = [0, 0, {z}]\nradius = {radius}\n"
-    )
+    return f'[[shapes]]\ntype = "sphere"\nmaterial = "{material}"\ncenter = [0, 0, {z}]\nradius = {radius}\n'
 
 
 def point_light(z):
@@ -104,10 +101,7 @@ class Pixels(InFolder):
         return tuple(as_float(number) for number in numbers(last))
 
     def picture(self, program, scene, *arguments):
-        result = run(
-            *[program, scene, "-o", "picture.pfm", "--quiet", *arguments],
-            folder=self.folder,
-        )
+        result = run(*[program, scene, "-o", "picture.pfm", "--quiet", *arguments], folder=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return read_pfm(self.folder / "picture.pfm")
 
@@ -121,13 +115,10 @@ class ThePathOfThePicture(Pixels):
                 self.assertGreater(len(set(pixels)), 4, "all pixels alike")
                 for column, row in [(0, 0), (7, 0), (3, 1), (2, 6), (5, 5)]:
                     story = self.told(
-                        *[program, scene, *SMALL],
-                        *["--pixel", f"{column},{row}", "--sample", 0],
+                        *[program, scene, *SMALL], *["--pixel", f"{column},{row}", "--sample", 0]
                     )
                     self.assertEqual(
-                        self.radiance(story),
-                        pixels[row * width + column],
-                        f"{program} {name} {column},{row}",
+                        self.radiance(story), pixels[row * width + column], f"{program} {name} {column},{row}"
                     )
 
     # The picture's pixel with n samples is the mean of the paths 0 to n - 1.
@@ -137,10 +128,7 @@ class ThePathOfThePicture(Pixels):
         for program in built_stages():
             sums = [0, 0, 0]
             for sample in range(8):
-                story = self.told(
-                    *[program, scene, *options],
-                    *["--pixel", "4,5", "--sample", sample],
-                )
+                story = self.told(*[program, scene, *options], *["--pixel", "4,5", "--sample", sample])
                 for channel, value in enumerate(self.radiance(story)):
                     sums[channel] += value
             *_, pixels = self.picture(program, scene, "--spp=8", *options)
@@ -151,12 +139,8 @@ class ThePathOfThePicture(Pixels):
     def test_the_first_sample_is_told_unless_another_is_asked_for(self):
         scene = SCENES / "cornell_box_ceiling_diffuse.toml"
         first = self.told("stage1", scene, "--pixel=9,9")
-        self.assertEqual(
-            first, self.told("stage1", scene, "--pixel=9,9", "--sample=0")
-        )
-        self.assertNotEqual(
-            first, self.told("stage1", scene, "--pixel=9,9", "--sample=1")
-        )
+        self.assertEqual(first, self.told("stage1", scene, "--pixel=9,9", "--sample=0"))
+        self.assertNotEqual(first, self.told("stage1", scene, "--pixel=9,9", "--sample=1"))
 
     def test_no_image_is_written(self):
         scene = SCENES / "cornell_box_ceiling_diffuse.toml"
@@ -173,8 +157,7 @@ class WhatIsTold(Pixels):
             for name in SCENES_OF.get(program, SCENES_OF["stage5"]):
                 for sample in range(6):
                     story = self.told(
-                        *[program, SCENES / f"{name}.toml", *SMALL],
-                        *["--pixel=3,6", "--sample", sample],
+                        *[program, SCENES / f"{name}.toml", *SMALL], *["--pixel=3,6", "--sample", sample]
                     )
                     self.check_numbers(story)
 
@@ -246,9 +229,7 @@ class WhatIsTold(Pixels):
     def found(self, shapes, text, *arguments, program="stage4"):
         """The first of the pixel's paths of which this is told."""
         for sample in range(60):
-            story = self.told_of(
-                shapes, "--sample", sample, *arguments, program=program
-            )
+            story = self.told_of(shapes, "--sample", sample, *arguments, program=program)
             if text in story:
                 return story
         self.fail(f"of no path is told {text!r}: {story}")
@@ -282,8 +263,7 @@ class WhatIsTold(Pixels):
             ("mixed", "specular or total internal\n"),
         ]:
             ball = (
-                f'[[shapes]]\ntype = "sphere"\nmaterial = "{material}"\n'
-                "center = [0.95, 0, 0]\nradius = 1\n"
+                f'[[shapes]]\ntype = "sphere"\nmaterial = "{material}"\ncenter = [0.95, 0, 0]\nradius = 1\n'
             )
             story = self.told_of(ball, "--max-bounces=1")
             self.assertIn(said, story)
@@ -305,9 +285,7 @@ class WhatIsTold(Pixels):
         ways = [rest for label, rest in first if label == "goes"]
         self.assertEqual(
             [re.search(r"\)  (.*)", way)[1] for way in ways],
-            ["specular", "refraction"]
-            if "specular" in ways[0]
-            else ["refraction", "specular"],
+            ["specular", "refraction"] if "specular" in ways[0] else ["refraction", "specular"],
         )
         self.assertEqual(dict(first)["ends"], "leaves the scene")
         # Inside: one branch goes out, the other stays; both follow vertex 1.
@@ -318,11 +296,7 @@ class WhatIsTold(Pixels):
 
 class WrongUsage(Pixels):
     def wrong(self, *arguments, about):
-        result = run(
-            *["stage1", SCENES / "cornell_box_ceiling_diffuse.toml"],
-            *arguments,
-            folder=self.folder,
-        )
+        result = run(*["stage1", SCENES / "cornell_box_ceiling_diffuse.toml"], *arguments, folder=self.folder)
         self.assertEqual((result.stdout, result.returncode), ("", 2))
         self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
         self.assertTrue(result.stderr.startswith("stage1: "), result.stderr)
@@ -330,22 +304,12 @@ class WrongUsage(Pixels):
 
     def test_a_pixel_outside_the_picture(self):
         for pixel in ["256,0", "0,256", "2147483647,0"]:
-            self.wrong(
-                "--pixel", pixel,
-                about=f"{pixel} is outside the picture of 256 x 256 pixels",
-            )
-        self.wrong(
-            "--pixel=4,3", "--size=4x4096",
-            about="4,3 is outside the picture of 4 x 4096 pixels",
-        )
-        self.told(
-            "stage1", SCENES / "cornell_box_ceiling_diffuse.toml",
-            "--pixel=255,255",
-        )
+            self.wrong("--pixel", pixel, about=f"{pixel} is outside the picture of 256 x 256 pixels")
+        self.wrong("--pixel=4,3", "--size=4x4096", about="4,3 is outside the picture of 4 x 4096 pixels")
+        self.told("stage1", SCENES / "cornell_box_ceiling_diffuse.toml", "--pixel=255,255")
 
     def test_what_is_no_pixel(self):
-        for text in ["", "1", "1,", ",1", "1,2,3", "-1,0", "0,-1", "a,b",
-                     "1.5,2", "1;2", "99999999999,0"]:
+        for text in ["", "1", "1,", ",1", "1,2,3", "-1,0", "0,-1", "a,b", "1.5,2", "1;2", "99999999999,0"]:
             self.wrong(f"--pixel={text}", about="--pixel")
 
     def test_what_is_no_sample(self):

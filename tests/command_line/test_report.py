@@ -51,9 +51,7 @@ class Reports(Programs):
             exr = self.bytes_of("b.exr")
             self.assertIn(report["scene_hash"].encode(), exr)
             self.assertIn(f"Lightwalk {report['version']}".encode(), exr)
-            rays = re.search(
-                rb"lightwalk:rays\0string\0....(\d+)", exr, re.DOTALL
-            )
+            rays = re.search(rb"lightwalk:rays\0string\0....(\d+)", exr, re.DOTALL)
             self.assertEqual(int(rays[1]), report["rays"])
 
     def test_figures_fit_together(self):
@@ -61,16 +59,9 @@ class Reports(Programs):
         report = self.report()
         self.assertGreater(report["seconds"], 0)
         self.assertGreater(report["cpu_seconds"], 0)
-        self.assertLess(
-            report["cpu_seconds"], report["seconds"] * report["threads"] + 0.1
-        )
-        self.assertAlmostEqual(
-            report["samples_per_second"] * report["seconds"] / report["samples"],
-            1,
-        )
-        self.assertAlmostEqual(
-            report["rays_per_sample"] * report["samples"] / report["rays"], 1
-        )
+        self.assertLess(report["cpu_seconds"], report["seconds"] * report["threads"] + 0.1)
+        self.assertAlmostEqual(report["samples_per_second"] * report["seconds"] / report["samples"], 1)
+        self.assertAlmostEqual(report["rays_per_sample"] * report["samples"] / report["rays"], 1)
         self.assertGreater(report["rays_per_sample"], 1)
 
     def test_needs_no_image(self):
@@ -106,24 +97,17 @@ class Reports(Programs):
         self.assertTrue(report["interrupted"])
         self.assertGreater(report["samples_per_pixel"], 0)
         self.assertLess(report["samples_per_pixel"], 10**9)
-        self.assertGreaterEqual(
-            report["samples"], 256 * report["samples_per_pixel"]
-        )
+        self.assertGreaterEqual(report["samples"], 256 * report["samples_per_pixel"])
 
     def test_where_it_cannot_be_written(self):
-        for path, why in [
-            ("no/report.json", "there is no folder 'no'"),
-            ("folder.json", "it is a folder"),
-        ]:
+        for path, why in [("no/report.json", "there is no folder 'no'"), ("folder.json", "it is a folder")]:
             (self.folder / "folder.json").mkdir(exist_ok=True)
             result = run(
                 *["stage1", BOX, "-o", "a.pfm", "--report", path],
                 *["--spp", "1000000000"],
                 folder=self.folder,
             )
-            self.assert_one_line(
-                result, f"stage1: {path} cannot be written: {why}"
-            )
+            self.assert_one_line(result, f"stage1: {path} cannot be written: {why}")
             self.assertEqual(self.files(), ["folder.json"])
 
     def test_a_full_disk_leaves_the_old_one(self):
@@ -138,17 +122,13 @@ class Reports(Programs):
             preexec_fn=let_no_file_grow,
             restore_signals=False,
         )
-        self.assert_one_line(
-            result, "stage1: report.json cannot be written: ..."
-        )
+        self.assert_one_line(result, "stage1: report.json cannot be written: ...")
         self.assertEqual(self.bytes_of("report.json"), b"the old file")
         self.assertEqual(self.files(), ["report.json"])
 
     def test_its_name_ends_in_json(self):
         for name in ["report", "a.pfm", "json", ".json"]:
-            result = run(
-                "stage1", BOX, "--report", name, folder=self.folder
-            )
+            result = run("stage1", BOX, "--report", name, folder=self.folder)
             self.assertEqual(result.returncode, 2)
             self.assertIn(f"'{name}' is not a .json", result.stderr)
 

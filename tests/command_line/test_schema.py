@@ -114,9 +114,7 @@ def why_the_loader_refuses(scene, folder):
     path = folder / "scene.toml"
     path.write_text(text, encoding="utf-8")
     result = run(
-        built_stages()[-1],
-        *[path, "-o", folder / "out.pfm"],
-        *["--size=1x1", "--spp=1", "--max-bounces=1"],
+        built_stages()[-1], *[path, "-o", folder / "out.pfm"], *["--size=1x1", "--spp=1", "--max-bounces=1"]
     )
     assert result.returncode in [0, 1], result.stderr
     return result.stderr if result.returncode else None
@@ -218,8 +216,7 @@ class TheSchemaAndTheLoader(InFolder):
                 self.assertEqual(
                     schema is None,
                     loader is None,
-                    f"\nthe schema says {schema or 'yes'}"
-                    f"\nthe loader says {loader or 'yes'}",
+                    f"\nthe schema says {schema or 'yes'}\nthe loader says {loader or 'yes'}",
                 )
         return accepted
 
@@ -260,8 +257,7 @@ class TheSchemaAndTheLoader(InFolder):
             self.skipTest("no stage is built that knows patterns")
         scenes = list(patterned(PATTERNS))
         self.assertEqual(
-            self.agree((name, scene) for name, _, scene in scenes),
-            [name for name, good, _ in scenes if good],
+            self.agree((name, scene) for name, _, scene in scenes), [name for name, good, _ in scenes if good]
         )
 
     def test_agree_about_the_ends_of_every_range(self):

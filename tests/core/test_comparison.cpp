@@ -7,9 +7,9 @@
 
 #include "common/math/random.hpp"
 #include "common/render/film.hpp"
+#include "compare/comparison.hpp"
+#include "compare/verdict.hpp"
 #include "support/goldens.hpp"
-#include "tools/comparison.hpp"
-#include "tools/verdict.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;

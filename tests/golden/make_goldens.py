@@ -1,20 +1,18 @@
 """Remakes the golden images of goldens.toml, or those that are named.
 
-    make_goldens.py [--times 64] [stage4/plastic ...]
+    python3 -m tests.golden.make_goldens [--times 64] [stage4/plastic ...]
 
 Each is rendered by its stage with 64 times the samples of the tests, and a
 seed that no test uses, so that its own error hardly counts.
 """
 
 import argparse
-import os
-import subprocess
 import tomllib
 from pathlib import Path
 
+from compare.stages import SCENES, render
+
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build"))
 SEED = 20_000_000
 
 
@@ -33,15 +31,11 @@ def main():
             continue
         folder = HERE / stage
         folder.mkdir(exist_ok=True)
-        command = [
-            *(BUILD / stage, ROOT / "scenes" / f"{scene}.toml"),
-            *("-o", folder / f"{scene}.exr", "--size", "32x32", "--quiet"),
-            *("--spp", golden["samples"] * options.times, "--seed", SEED),
-        ]
+        arguments = ["--spp", golden["samples"] * options.times, "--seed", SEED]
         if "max_bounces" in golden:
-            command += ["--max-bounces", golden["max_bounces"]]
+            arguments += ["--max-bounces", golden["max_bounces"]]
         print(f"{stage}/{scene}.exr", flush=True)
-        subprocess.run([str(word) for word in command], check=True)
+        render(stage, SCENES / f"{scene}.toml", folder / f"{scene}.exr", "--size", "32x32", *arguments)
 
 
 if __name__ == "__main__":

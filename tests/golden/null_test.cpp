@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "stages/5_fresnel_textures/path_tracer.hpp"
+#include "all_stages.hpp"
 #include "support/goldens.hpp"
 
 namespace {
@@ -55,11 +55,9 @@ void add_stage(int stage, int seeds, Count& total) {
 int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 200;
   Count total;
-  add_stage<stage1::PathTracer>(1, seeds, total);
-  add_stage<stage2::PathTracer>(2, seeds, total);
-  add_stage<stage3::PathTracer>(3, seeds, total);
-  add_stage<stage4::PathTracer>(4, seeds, total);
-  add_stage<stage5::PathTracer>(5, seeds, total);
+  for_each_stage([&]<class PathTracer>(int stage) {
+    add_stage<PathTracer>(stage, seeds, total);
+  });
   const double once = false_alarm_rate(Bands().z_critical, total.regions);
   std::printf(
       "%.0f renders, %.0f regions: %.0f beyond z at first (normal: %.3g), "

@@ -23,7 +23,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tools/gamma_function.hpp"
+#include "compare/gamma_function.hpp"
 
 namespace lightwalk::tests {
 

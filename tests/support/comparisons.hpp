@@ -6,8 +6,8 @@
 
 #include <string>
 
+#include "compare/comparison.hpp"
 #include "support/renders.hpp"
-#include "tools/comparison.hpp"
 
 namespace lightwalk::tests {
 

@@ -8,8 +8,8 @@
 
 #include "common/image/image_file.hpp"
 #include "common/scene_file/scene_file.hpp"
-#include "tools/diagnosis.hpp"
-#include "tools/verdict.hpp"
+#include "compare/diagnosis.hpp"
+#include "compare/verdict.hpp"
 
 namespace lightwalk::tests {
 
@@ -116,7 +116,7 @@ std::string broken_outright(const RenderResult& result) {
   return "";
 }
 
-/// Where tools/signatures.py asks for it, what a known mistake looks like.
+/// Where tests/mistakes/signatures.py asks for it, what a known mistake looks like.
 static void write_signature(int stage, const Golden& golden,
                             const Comparison& comparison) {
   const char* name = std::getenv("LIGHTWALK_SIGNATURE");

@@ -8,8 +8,8 @@
 
 #include <array>
 
+#include "compare/comparison.hpp"
 #include "support/renders.hpp"
-#include "tools/comparison.hpp"
 
 namespace lightwalk::tests {
 

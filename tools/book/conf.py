@@ -5,8 +5,7 @@ import os
 project = "Lightwalk"
 author = "the authors of Lightwalk"
 html_title = "Lightwalk"
-extensions = ["myst_parser", "sphinx.ext.mathjax", "sphinx_design",
-              "sphinx_copybutton"]
+extensions = ["myst_parser", "sphinx.ext.mathjax", "sphinx_design", "sphinx_copybutton"]
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "smartquotes"]
 myst_heading_anchors = 3
 nitpicky = True
@@ -29,18 +28,14 @@ html_theme = "furo"
 html_theme_options = {
     "navigation_with_keys": True,
     "light_css_variables": {
-        "font-stack": "'Source Serif 4', 'Charter', 'Bitstream Charter', "
-                      "'Georgia', 'DejaVu Serif', serif",
+        "font-stack": "'Source Serif 4', 'Charter', 'Bitstream Charter', 'Georgia', 'DejaVu Serif', serif",
         "font-stack--monospace": "'JetBrains Mono', 'SFMono-Regular', "
-                                 "'Menlo', 'Consolas', 'DejaVu Sans Mono', "
-                                 "monospace",
+        "'Menlo', 'Consolas', 'DejaVu Sans Mono', "
+        "monospace",
         "color-brand-primary": "#8a3b12",
         "color-brand-content": "#8a3b12",
     },
-    "dark_css_variables": {
-        "color-brand-primary": "#f0a878",
-        "color-brand-content": "#f0a878",
-    },
+    "dark_css_variables": {"color-brand-primary": "#f0a878", "color-brand-content": "#f0a878"},
     "footer_icons": [],
 }
 pygments_style = "tango"

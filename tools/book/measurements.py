@@ -1,32 +1,72 @@
 """The page of speed and convergence, from what `make bench` has measured."""
 
+import json
 import shutil
+from statistics import median
+
+from compare.stages import BUILD
 
 
 def table(path):
-    return [line for line in path.read_text().split("\n")
-            if line.startswith("|")]
+    return [line for line in path.read_text().split("\n") if line.startswith("|")]
 
 
-def measurements_page(build, source):
+def with_unit(x, unit):
+    for factor, prefix in ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "u")):
+        if x >= factor:
+            return f"{x / factor:.3g} {prefix}{unit}"
+    return f"{x / 1e-9:.3g} n{unit}"
+
+
+def benchmarks(path):
+    """The medians of a Google Benchmark run, as a table."""
+    scale = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
+    runs = {}
+    for run in json.loads(path.read_text())["benchmarks"]:
+        if run["run_type"] == "iteration" and "error_occurred" not in run:
+            runs.setdefault(run["run_name"], []).append(run)
+    lines = ["| benchmark | median | items |", "|---|---|---|"]
+    for name, same in runs.items():
+        time = median(run["real_time"] * scale[run["time_unit"]] for run in same)
+        rate = median(run.get("items_per_second", 0) for run in same)
+        lines.append(f"| {name} | {with_unit(time, 's')} | {with_unit(rate, '/s') if rate else ''} |")
+    return lines
+
+
+def measurements_page(source):
     """The page's lines; how to measure, where nobody has yet."""
-    page = ["# Speed and convergence", "",
-            "Measured by `make bench` on the machine that made this book. "
-            "Samples of different estimators are not worth the same, so the "
-            "first table has the *efficiency*: one over variance times time, "
-            "relative to the first of each pair. Twice the efficiency is the "
-            "same picture in half the time.", ""]
-    efficiency, bench = build / "efficiency.md", build / "bench.md"
-    chart = build / "convergence.svg"
+    page = [
+        "# Speed and convergence",
+        "",
+        "Measured by `make bench` on the machine that made this book. "
+        "Samples of different estimators are not worth the same, so the "
+        "first table has the *efficiency*: one over variance times time, "
+        "relative to the first of each pair. Twice the efficiency is the "
+        "same picture in half the time.",
+        "",
+    ]
+    efficiency, bench = BUILD / "efficiency.md", BUILD / "bench.json"
+    chart = BUILD / "convergence.svg"
     if not (efficiency.exists() and bench.exists() and chart.exists()):
-        return [*page, "This book was made before anything was measured: run "
-                "`make bench`, and then `make book` again.", ""]
+        return [
+            *page,
+            "This book was made before anything was measured: run `make bench`, and then `make book` again.",
+            "",
+        ]
     (source / "figures").mkdir(parents=True, exist_ok=True)
     shutil.copy(chart, source / "figures/convergence.svg")
-    return [*page, *table(efficiency), "",
-            "![Noise against time for each estimator]"
-            "(figures/convergence.svg)", "",
-            "All lines fall with slope -1/2: half the noise costs four times "
-            "the time, whichever estimator it is. The lower line is the "
-            "better one.", "",
-            "## What everything costs", "", *table(bench), ""]
+    return [
+        *page,
+        *table(efficiency),
+        "",
+        "![Noise against time for each estimator](figures/convergence.svg)",
+        "",
+        "All lines fall with slope -1/2: half the noise costs four times "
+        "the time, whichever estimator it is. The lower line is the "
+        "better one.",
+        "",
+        "## What everything costs",
+        "",
+        *benchmarks(bench),
+        "",
+    ]

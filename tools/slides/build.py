@@ -1,7 +1,7 @@
 """Builds the slides: fills in code and figures, and has Marp set them.
 
-    build.py BUILD          BUILD/slides has the decks and an index.html
-    build.py BUILD --check  fills in and checks the source, and stops there
+    python3 -m tools.slides.build   the decks and an index.html
+    ... --check                     fills in and checks the source, and stops
 """
 
 import os
@@ -9,19 +9,16 @@ import re
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "book"))
-
-from check_names import check_text
-from coverage import check_coverage
-from deck import decks
-from figures import Figures
-from formulas import check_formulas, formulas
-from index import index_page
-from listing import colors, fill
-from literate import ROOT, BookError
-from offline import check_offline
+from compare.stages import BUILD, ROOT, Failure
+from tools.slides.coverage import check_coverage
+from tools.slides.deck import decks
+from tools.slides.index import index_page
+from tools.slides.listing import colors, fill
+from tools.weave.figures import Figures
+from tools.weave.formulas import check_formulas, formulas
+from tools.weave.names import check_text
+from tools.weave.offline import check_offline
 
 HEAD = """---
 marp: true
@@ -76,31 +73,30 @@ def woven(deck, figures):
     return HEAD.format(title=deck.title) + "\n---\n".join(slides)
 
 
-def marp(build, *options):
+def marp(*options):
     environment = dict(os.environ, CHROME_NO_SANDBOX="1")
     names = ("chromium", "google-chrome", "chromium-browser")
     chromium = next(filter(None, map(shutil.which, names)), None)
     if chromium:  # elsewhere Marp knows where to look
         environment.setdefault("CHROME_PATH", chromium)
     run = subprocess.run(
-        ["node", build / "node/node_modules/@marp-team/marp-cli/marp-cli.js",
+        ["node", BUILD / "node/node_modules/@marp-team/marp-cli/marp-cli.js",
          "--no-config-file", "--no-stdin", "--html", "--theme-set",
-         build / "slides-source/theme.css", "--input-dir",
-         build / "slides-source", "--output", build / "slides", *options],
+         BUILD / "slides-source/theme.css", "--input-dir",
+         BUILD / "slides-source", "--output", BUILD / "slides", *options],
         capture_output=True, text=True, env=environment)
     if run.returncode:
         if "No suitable browser" in run.stderr:
-            raise BookError("PDFs need Chromium or Chrome, and neither was "
+            raise Failure("PDFs need Chromium or Chrome, and neither was "
                             "found; `make setup-slides` installs it")
         said = [x for x in run.stderr.split("\n") if "ERROR" in x]
-        raise BookError((said or [run.stderr.strip()])[0])
+        raise Failure((said or [run.stderr.strip()])[0])
 
 
 def main():
-    build = Path(sys.argv[1]).resolve()
-    source, made = build / "slides-source", build / "slides"
+    source, made = BUILD / "slides-source", BUILD / "slides"
     shutil.rmtree(source, ignore_errors=True)
-    figures = Figures(build, source / "figures")
+    figures = Figures(source / "figures")
     every = decks()
     for deck in every:
         deck.check()
@@ -108,16 +104,15 @@ def main():
     check_coverage()
     check_formulas([formula for deck in every for slide in deck.slides
                     for formula in formulas(
-                        slide.text, f"slides/{deck.path.name}", slide.line)],
-                   build)
-    if "--check" in sys.argv[2:]:
+                        slide.text, f"slides/{deck.path.name}", slide.line)])
+    if "--check" in sys.argv[1:]:
         return
     shutil.rmtree(made, ignore_errors=True)
     (source / "theme.css").write_text(
         (ROOT / "slides/theme.css").read_text() + colors())
-    marp(build)
+    marp()
     shutil.copytree(source / "figures", made / "figures")
-    marp(build, "--pdf", "--allow-local-files", "--pdf-outlines",
+    marp("--pdf", "--allow-local-files", "--pdf-outlines",
          "--pdf-outlines.pages=false")
     (made / "index.html").write_text(index_page(every))
     check_offline(made)
@@ -127,5 +122,5 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except BookError as error:
+    except Failure as error:
         sys.exit(f"slides: {error}")

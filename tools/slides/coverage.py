@@ -4,8 +4,9 @@ has its place in a chapter and in a deck."""
 import re
 import tomllib
 
-from literate import ROOT, BookError, pieces, region
-from deck import decks
+from compare.stages import ROOT, Failure
+from tools.slides.deck import decks
+from tools.weave.literate import pieces, region
 
 TABLE = ROOT / "slides/coverage.toml"
 
@@ -18,8 +19,7 @@ def normalised(tex):
 
 
 def prose_of(header):
-    return "\n".join("\n".join(piece.lines) for piece in pieces(header)
-                     if piece.kind == "prose")
+    return "\n".join("\n".join(piece.lines) for piece in pieces(header) if piece.kind == "prose")
 
 
 def shown_on(title, deck):
@@ -31,24 +31,24 @@ def check_entry(entry, by_name):
     title = entry["title"]
     where = f"slides/coverage.toml: '{title}'"
     if entry["deck"] not in by_name:
-        raise BookError(f"{where}: there is no deck {entry['deck']}")
+        raise Failure(f"{where}: there is no deck {entry['deck']}")
     deck = by_name[entry["deck"]]
     if not shown_on(title, deck):
-        raise BookError(f"{where}: no slide of {deck.name} has this heading")
+        raise Failure(f"{where}: no slide of {deck.name} has this heading")
     if "chapter" not in entry:
         return
     path = entry["chapter"].split("#")[0]
     try:
         region(entry["chapter"])
-    except BookError as error:
-        raise BookError(f"{where}: {error}") from None
+    except Failure as error:
+        raise Failure(f"{where}: {error}") from None
     chapter = normalised(prose_of(ROOT / path))
     slides = normalised("\n".join(s.shown for s in deck.slides))
     for formula in entry.get("formulas", []):
         wanted = normalised(formula)
         for text, place in ((chapter, path), (slides, deck.name)):
             if wanted not in text:
-                raise BookError(f"{where}: {formula} is not in {place}")
+                raise Failure(f"{where}: {formula} is not in {place}")
 
 
 def check_trap(entry, by_name):
@@ -56,8 +56,7 @@ def check_trap(entry, by_name):
     where = f"slides/coverage.toml: trap '{entry['title']}'"
     slides = shown_on(entry["title"], by_name[entry["deck"]])
     if not any("trap" in slide.kinds for slide in slides):
-        raise BookError(f"{where}: {entry['deck']} has no such slide of "
-                        "class trap")
+        raise Failure(f"{where}: {entry['deck']} has no such slide of class trap")
 
 
 def table():

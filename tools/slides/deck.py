@@ -2,12 +2,10 @@
 
 import re
 from dataclasses import dataclass
-from pathlib import Path
 
-from literate import ROOT, BookError
+from compare.stages import ROOT, Failure
 
 COMMENT = re.compile(r"<!--\s*(.*?)\s*-->", re.S)
-FENCE = re.compile(r"^(```|~~~).*?^\1\s*$", re.S | re.M)
 
 
 @dataclass
@@ -34,8 +32,7 @@ class Slide:
     @property
     def notes(self):
         """What the lecturer reads: the comments that are no directives."""
-        return "\n".join(text for text in COMMENT.findall(self.text)
-                         if not text.startswith("_"))
+        return "\n".join(text for text in COMMENT.findall(self.text) if not text.startswith("_"))
 
     @property
     def minutes(self):
@@ -54,12 +51,10 @@ class Deck:
         text = path.read_text()
         head = re.match(r"---\ntitle: (.*)\n---\n", text)
         if not head:
-            raise BookError(f"{path.relative_to(ROOT)}:1: a deck begins with "
-                            "'---', 'title: ...' and '---'")
+            raise Failure(f"{path.relative_to(ROOT)}:1: a deck begins with '---', 'title: ...' and '---'")
         self.title = head[1]
         self.slides, line = [], 4
-        for number, part in enumerate(
-                re.split(r"^---\n", text[head.end():], flags=re.M), 1):
+        for number, part in enumerate(re.split(r"^---\n", text[head.end() :], flags=re.M), 1):
             self.slides.append(Slide(number, line, part, self))
             line += part.count("\n") + 1
 
@@ -71,13 +66,13 @@ class Deck:
         """Every slide has a heading, and notes that begin with its time."""
         for slide in self.slides:
             if not slide.heading:
-                raise BookError(f"{slide.where}: a slide without '# heading'")
+                raise Failure(f"{slide.where}: a slide without '# heading'")
             if slide.minutes is None:
-                raise BookError(f"{slide.where}: the notes of "
-                                f"'{slide.heading}' begin with '<!-- N min'")
+                raise Failure(f"{slide.where}: the notes of '{slide.heading}' begin with '<!-- N min'")
             if re.search(r":\s", slide.notes):
-                raise BookError(f"{slide.where}: Marp takes a colon in notes "
-                                "for a setting; write the sentence without")
+                raise Failure(
+                    f"{slide.where}: Marp takes a colon in notes for a setting; write the sentence without"
+                )
 
 
 def decks():

@@ -7,12 +7,12 @@ from pygments import highlight
 from pygments.formatters import HtmlFormatter
 from pygments.lexers import CppLexer
 
-from literate import ROOT, BookError, region
-from weave import changed_lines, earlier_version
+from compare.stages import ROOT, Failure
+from tools.weave.literate import changed_lines, earlier_version, region
 
 STYLE = "tango"
-LARGEST, SMALLEST = 23, 15   # pixels of a slide of 1280 by 720
-LETTER, LINE = 0.602, 1.36   # widest usual monospace letter, line height
+LARGEST, SMALLEST = 23, 15  # pixels of a slide of 1280 by 720
+LETTER, LINE = 0.602, 1.36  # widest usual monospace letter, line height
 
 
 def indent(line):
@@ -25,12 +25,12 @@ def excerpt(lines, steps, reference):
     where a block closes."""
     chosen = []
     for step in steps:
-        first = next((n for n, line in enumerate(lines)
-                      if line.strip().lstrip("/ ").startswith(step)), None)
+        first = next((n for n, line in enumerate(lines) if line.strip().lstrip("/ ").startswith(step)), None)
         if first is None:
-            raise BookError(f"{reference}: no step begins '{step}'")
-        last = next((n for n in range(first, len(lines))
-                     if indent(lines[n]) < indent(lines[first])), len(lines))
+            raise Failure(f"{reference}: no step begins '{step}'")
+        last = next(
+            (n for n in range(first, len(lines)) if indent(lines[n]) < indent(lines[first])), len(lines)
+        )
         if chosen:
             chosen.append(None)
         chosen += range(first, last)
@@ -47,47 +47,53 @@ def listing(reference, steps="", width=1112, height=485):
         new = set(changed_lines(old, code)) if old else set()
     chosen = list(range(len(code)))
     if steps:
-        chosen = excerpt(code, [s.strip() for s in steps.split(";")],
-                         reference)
+        chosen = excerpt(code, [s.strip() for s in steps.split(";")], reference)
     lines = ["" if n is None else code[n] for n in chosen]
     outer = min(indent(x) for x in lines if x)
     lines = [x[outer:] for x in lines]
-    marked = [i for i, n in enumerate(chosen, 1)
-              if n is not None and n + 1 in new]
+    marked = [i for i, n in enumerate(chosen, 1) if n is not None and n + 1 in new]
     if len(marked) == len(lines):
         marked = []
-    size = min(LARGEST, width / (max(map(len, lines)) * LETTER),
-               height / (len(lines) * LINE))
+    size = min(LARGEST, width / (max(map(len, lines)) * LETTER), height / (len(lines) * LINE))
     if size < SMALLEST:
-        raise BookError(f"{reference}: {len(lines)} lines of up to "
-                        f"{max(map(len, lines))} columns do not fit a slide; "
-                        "name its steps")
-    html = highlight("\n".join(lines), CppLexer(stripnl=False),
-                     HtmlFormatter(nowrap=True, hl_lines=marked))
-    return (f'<pre class="listing" style="font-size: {size:.2f}px">'
-            f"{html.rstrip()}</pre>\n"
-            f'<p class="source">{escape(path)}, <b>{escape(name)}</b></p>')
+        raise Failure(
+            f"{reference}: {len(lines)} lines of up to "
+            f"{max(map(len, lines))} columns do not fit a slide; "
+            "name its steps"
+        )
+    html = highlight("\n".join(lines), CppLexer(stripnl=False), HtmlFormatter(nowrap=True, hl_lines=marked))
+    return (
+        f'<pre class="listing" style="font-size: {size:.2f}px">'
+        f"{html.rstrip()}</pre>\n"
+        f'<p class="source">{escape(path)}, <b>{escape(name)}</b></p>'
+    )
 
 
 def colors():
     rules = HtmlFormatter(style=STYLE).get_style_defs("pre.listing")
-    return "\n".join(rule for rule in rules.split("\n") if "<" not in rule
-                     and re.match(r"pre\.listing \.(?!hll)", rule))
+    return "\n".join(
+        rule for rule in rules.split("\n") if "<" not in rule and re.match(r"pre\.listing \.(?!hll)", rule)
+    )
 
 
 def fill(text, where, narrow=False):
     """The slide with its empty blocks ```cpp region=... filled."""
+
     def filled(match):
         options = dict(re.findall(r'(\w+)=("[^"]*"|\S+)', match[1]))
         options = {key: value.strip('"') for key, value in options.items()}
         reference = options.pop("region")
         for key in options:
             if key not in ("steps", "width", "height"):
-                raise BookError(f"{where}: a listing has no option '{key}'")
+                raise Failure(f"{where}: a listing has no option '{key}'")
         try:
-            return listing(reference, options.get("steps", ""),
-                           int(options.get("width", 1046 if narrow else 1112)),
-                           int(options.get("height", 485)))
-        except BookError as error:
-            raise BookError(f"{where}: {error}") from None
+            return listing(
+                reference,
+                options.get("steps", ""),
+                int(options.get("width", 1046 if narrow else 1112)),
+                int(options.get("height", 485)),
+            )
+        except Failure as error:
+            raise Failure(f"{where}: {error}") from None
+
     return re.sub(r"^```cpp (region=.*)\n```$", filled, text, flags=re.M)

@@ -5,7 +5,8 @@ import re
 import subprocess
 from pathlib import Path
 
-from literate import ROOT, BookError, pieces
+from compare.stages import BUILD, ROOT, Failure
+from tools.weave.literate import pieces
 
 CODE = re.compile(r"^```.*?^```|`[^`\n]+`|^    .*?$", re.S | re.M)
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$]+?)\$", re.S)
@@ -17,22 +18,27 @@ def formulas(text, where, first_line=1):
     found = []
     for match in FORMULA.finditer(blank):
         line = first_line + blank.count("\n", 0, match.start())
-        found.append({"tex": (match[1] or match[2]).strip(),
-                      "display": bool(match[1]), "where": f"{where}:{line}"})
+        found.append(
+            {"tex": (match[1] or match[2]).strip(), "display": bool(match[1]), "where": f"{where}:{line}"}
+        )
     return found
 
 
 def formulas_of_header(header):
     """The formulas of a literate header's prose."""
     name = header.relative_to(ROOT)
-    return [formula for piece in pieces(header) if piece.kind == "prose"
-            for formula in formulas("\n".join(piece.lines), name, piece.line)]
+    return [
+        formula
+        for piece in pieces(header)
+        if piece.kind == "prose"
+        for formula in formulas("\n".join(piece.lines), name, piece.line)
+    ]
 
 
-def check_formulas(found, build):
+def check_formulas(found):
     script = Path(__file__).with_name("check_formulas.cjs")
-    run = subprocess.run(["node", script, build / "node/node_modules"],
-                         input=json.dumps(found), capture_output=True,
-                         text=True)
+    run = subprocess.run(
+        ["node", script, BUILD / "node/node_modules"], input=json.dumps(found), capture_output=True, text=True
+    )
     if run.returncode:
-        raise BookError((run.stdout or run.stderr).strip().split("\n")[0])
+        raise Failure((run.stdout or run.stderr).strip().split("\n")[0])

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Times the lab's boxes in Mitsuba 3 and in stage 4, side by side.
 
     make bench-peers
@@ -15,8 +14,6 @@ Without it the scalar variant is timed alone.
 
 import argparse
 import math
-import pathlib
-import re
 import statistics
 import subprocess
 import sys
@@ -27,7 +24,8 @@ import tomllib
 import mitsuba
 import numpy
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
+from compare.stages import SCENES, read_pfm, render
+
 FAR = 40  # planes are infinite here, and rectangles there
 
 
@@ -59,17 +57,13 @@ def mitsuba_scene(mi, toml):
     half_width = math.hypot(*camera["left"]) / math.hypot(*camera["forward"])
     scene = {
         "type": "scene",
-        "integrator": {
-            "type": "path",
-            "max_depth": toml["render"].get("max_bounces", -2) + 1,
-        },
+        "integrator": {"type": "path", "max_depth": toml["render"].get("max_bounces", -2) + 1},
         "sensor": {
             "type": "perspective",
             "fov": 2 * math.degrees(math.atan(half_width)),
             # Mitsuba's left is at +x, the slides' at -x.
-            "to_world": transform().look_at(
-                origin=camera["origin"], target=aim, up=camera["up"]
-            ) @ transform().scale([-1, 1, 1]),
+            "to_world": transform().look_at(origin=camera["origin"], target=aim, up=camera["up"])
+            @ transform().scale([-1, 1, 1]),
             "film": {
                 "type": "hdrfilm",
                 "width": camera["size"][0],
@@ -84,21 +78,15 @@ def mitsuba_scene(mi, toml):
     for i, shape in enumerate(toml["shapes"]):
         material = toml["materials"][shape["material"]]
         if shape["type"] == "sphere":
-            entry = {
-                "type": "sphere",
-                "center": shape["center"],
-                "radius": shape["radius"],
-            }
+            entry = {"type": "sphere", "center": shape["center"], "radius": shape["radius"]}
         else:
             normal = shape["normal"]
             at = [-shape["distance"] * n for n in normal]
             up = [0, 0, 1] if normal[2] == 0 else [0, 1, 0]
             entry = {
                 "type": "rectangle",
-                "to_world": transform().look_at(
-                    origin=at, target=[a + n for a, n in zip(at, normal)],
-                    up=up,
-                ) @ transform().scale([FAR, FAR, 1]),
+                "to_world": transform().look_at(origin=at, target=[a + n for a, n in zip(at, normal)], up=up)
+                @ transform().scale([FAR, FAR, 1]),
             }
         if "ke" in material:
             radiance = {"type": "rgb", "value": [material["ke"]] * 3}
@@ -132,34 +120,31 @@ class Peer:
 
 
 class Ours:
-    def __init__(self, program, path):
-        self.command = [program, path]
-        self.variant = "stage4"
+    variant = "stage4"
+
+    def __init__(self, scene):
+        self.scene = scene
 
     def render(self, spp, seed):
         with tempfile.NamedTemporaryFile(suffix=".pfm") as file:
-            text = subprocess.run(
-                [*self.command, "-o", file.name, "--spp", str(spp),
-                 "--seed", str(seed)],
-                check=True, capture_output=True, text=True,
-            ).stdout
-            data = pathlib.Path(file.name).read_bytes().split(b"\n", 3)[3]
-        seconds = float(re.search(r"([\d.]+) s, ", text).group(1))
-        image = numpy.frombuffer(data, "<f4").reshape(-1, 3)
-        return seconds, image.mean(axis=0)
+            report = render("stage4", self.scene, file.name, "--spp", spp, "--seed", seed)
+            *_, pixels = read_pfm(file.name)
+        return report["seconds"], numpy.mean(pixels, axis=0)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--build", default=ROOT / "build", type=pathlib.Path)
     parser.add_argument("--repetitions", default=5, type=int)
     parser.add_argument("--spp", default=32, type=int)
     options = parser.parse_args()
     variants = ["scalar_rgb"]
     probe = subprocess.run(
-        [sys.executable, "-c",
-         "import mitsuba as mi; mi.set_variant('llvm_ad_rgb');"
-         "mi.render(mi.load_dict(mi.cornell_box()), spp=1).numpy()"],
+        [
+            sys.executable,
+            "-c",
+            "import mitsuba as mi; mi.set_variant('llvm_ad_rgb');"
+            "mi.render(mi.load_dict(mi.cornell_box()), spp=1).numpy()",
+        ],
         capture_output=True,
     )
     if probe.returncode == 0:
@@ -169,11 +154,15 @@ def main():
 
     print("| box | program | Msamples/s | stage 4 is faster by |")
     print("|---|---|---|---|")
-    for name in ("cornell_box_point_diffuse", "cornell_box_ceiling_diffuse",
-                 "cornell_box_point", "cornell_box_ceiling"):
-        path = ROOT / "scenes" / f"{name}.toml"
+    for name in (
+        "cornell_box_point_diffuse",
+        "cornell_box_ceiling_diffuse",
+        "cornell_box_point",
+        "cornell_box_ceiling",
+    ):
+        path = SCENES / f"{name}.toml"
         toml = tomllib.loads(path.read_text())
-        programs = [Ours(options.build / "stage4", path)]
+        programs = [Ours(path)]
         programs += [Peer(variant, toml) for variant in variants]
         times = [[] for _ in programs]
         means = [[] for _ in programs]
@@ -186,13 +175,14 @@ def main():
         if name.endswith("diffuse"):
             for mean, program in zip(means[1:], programs[1:]):
                 if not numpy.allclose(mean, means[0], rtol=0.01):
-                    sys.exit(f"{name}: {program.variant} has the mean {mean}"
-                             f" and stage 4 has {means[0]}")
+                    sys.exit(f"{name}: {program.variant} has the mean {mean} and stage 4 has {means[0]}")
         samples = math.prod(toml["camera"]["size"]) * options.spp
         medians = [statistics.median(t) for t in times]
         for program, median in zip(programs, medians):
-            print(f"| {name} | {program.variant} | {samples / median / 1e6:.2f}"
-                  f" | {median / medians[0]:.1f} |", flush=True)
+            print(
+                f"| {name} | {program.variant} | {samples / median / 1e6:.2f} | {median / medians[0]:.1f} |",
+                flush=True,
+            )
 
 
 if __name__ == "__main__":

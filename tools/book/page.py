@@ -3,7 +3,8 @@
 import difflib
 import re
 
-from literate import ROOT, BookError, pieces, regions, stage_headers
+from compare.stages import ROOT
+from tools.weave.literate import changed_lines, earlier_version, pieces
 
 HEADING = re.compile(r"^(#+) (.*)")
 
@@ -20,20 +21,6 @@ def fenced(name, argument, body, options=(), depth=3, mark=":"):
     return head + ([""] if mark == ":" else []) + body + [fence, ""]
 
 
-def earlier_version(path, name):
-    """The region of that name in the nearest earlier stage, with its path."""
-    for other in reversed([p for p in stage_headers() if p < path]):
-        if path.parent.parent.name == "stages" and name in regions(other):
-            return other, regions(other)[name].lines
-    return None, None
-
-
-def changed_lines(old, new):
-    blocks = difflib.SequenceMatcher(None, old, new, False).get_opcodes()
-    return [n + 1 for tag, _, _, first, last in blocks if tag != "equal"
-            for n in range(first, last) if new[n].strip()]
-
-
 def mark(path, piece):
     """What to say of a region beside the stage before: badge, lines, diff."""
     if path.parent.parent.name != "stages" or path.parent.name[0] == "1":
@@ -46,11 +33,13 @@ def mark(path, piece):
         return f"{{bdg-secondary}}`as in stage {before}`", [], []
     label = f"stage {before}"
     diff = list(difflib.unified_diff(old, piece.lines, lineterm="", n=2))[2:]
-    box = fenced("dropdown", f"What changed since {label}",
-                 fenced("code-block", "diff", diff, depth=3, mark="`"),
-                 depth=5)
-    return (f"{{bdg-warning}}`changed since {label}`",
-            changed_lines(old, piece.lines), box)
+    box = fenced(
+        "dropdown",
+        f"What changed since {label}",
+        fenced("code-block", "diff", diff, depth=3, mark="`"),
+        depth=5,
+    )
+    return (f"{{bdg-warning}}`changed since {label}`", changed_lines(old, piece.lines), box)
 
 
 def code_block(path, piece):
@@ -112,10 +101,3 @@ def weave(path, figures=None):
         for piece in code:
             page += figures.pop(piece.region, [])
     return page
-
-
-def title_of(path):
-    for heading, _, _ in rows(path):
-        if heading.startswith("# "):
-            return heading[2:]
-    raise BookError(f"{path.relative_to(ROOT)}: has no title")

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Proves what the tests are worth: puts mistakes into the stages, one by one.
 
 Each mistake of tests/mistakes/stageN.toml is a small change to the header of
@@ -22,24 +21,21 @@ import hashlib
 import html
 import json
 import os
-import pathlib
 import re
 import resource
 import shlex
 import subprocess
 import sys
 import tomllib
+from pathlib import Path
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
-CATALOGUE = ROOT / "tests" / "mistakes"
+from compare.stages import BUILD, ROOT, Failure, stage_headers
+
+CATALOGUE = Path(__file__).parent
 
 # Seconds of processor time, not of the clock: a busy machine does not make a
 # mistake look caught. A right suite needs a fifth of it.
 TIME_LIMIT = 45
-
-
-class Failure(Exception):
-    """Something that the user has to put right."""
 
 
 @dataclasses.dataclass
@@ -83,10 +79,8 @@ def test_names(folder):
     literal = r'"(?:[^"\\]|\\.)*"'
     names = []
     for path in sorted(folder.glob("*.cpp")):
-        for case in re.findall(rf"TEST_CASE\(\s*((?:{literal}\s*)+)\)",
-                               path.read_text()):
-            names.append("".join(
-                one[1:-1] for one in re.findall(literal, case)))
+        for case in re.findall(rf"TEST_CASE\(\s*((?:{literal}\s*)+)\)", path.read_text()):
+            names.append("".join(one[1:-1] for one in re.findall(literal, case)))
     return names
 
 
@@ -96,58 +90,53 @@ def check_catalogue(mistakes):
     for name in set(names):
         if names.count(name) > 1:
             raise Failure(f"two mistakes are called {name}")
-    tests = {stage: test_names(ROOT / "tests" / f"stage{stage}")
-             for stage in {one.stage for one in mistakes}}
+    tests = {stage: test_names(ROOT / "tests" / f"stage{stage}") for stage in {one.stage for one in mistakes}}
     for one in mistakes:
         if one.verdict not in ("pass", "fail"):
             raise Failure(f"{one.name}: verdict is neither pass nor fail")
         if one.verdict == "fail" and not one.caught_by:
             raise Failure(f"{one.name}: caught_by is missing")
-        if one.caught_by and not any(
-                test.startswith(one.caught_by) for test in tests[one.stage]):
-            raise Failure(f"{one.name}: stage {one.stage} has no test called "
-                          f"\"{one.caught_by}\"")
+        if one.caught_by and not any(test.startswith(one.caught_by) for test in tests[one.stage]):
+            raise Failure(f'{one.name}: stage {one.stage} has no test called "{one.caught_by}"')
     core = test_names(ROOT / "tests" / "core")
-    for one in tomllib.loads(
-            (CATALOGUE / "not_here.toml").read_text())["mistake"]:
+    for one in tomllib.loads((CATALOGUE / "not_here.toml").read_text())["mistake"]:
         for guard in one["guarded_by"]:
             if guard not in core:
-                raise Failure(f"not_here.toml: number {one['number']}: "
-                              f"no core test is called \"{guard}\"")
+                raise Failure(f'not_here.toml: number {one["number"]}: no core test is called "{guard}"')
 
 
 class Suite:
     """How the build compiles and links one stage's suite."""
 
-    def __init__(self, build, stage):
-        self.build = build
+    def __init__(self, stage):
         self.stage = stage
         self.target = f"stage{stage}_tests"
-        headers = list(ROOT.glob(f"stages/{stage}_*/path_tracer.hpp"))
-        if not headers:
+        self.header = next((path for path in stage_headers() if path.parent.name[0] == str(stage)), None)
+        if not self.header:
             raise Failure(f"stage {stage} is not in this tree")
-        self.header = headers[0]
         self.compile = {}
-        for entry in json.loads((build / "compile_commands.json").read_text()):
+        for entry in json.loads((BUILD / "compile_commands.json").read_text()):
             words = shlex.split(entry["command"])
             if f"{self.target}.dir/" in words[words.index("-o") + 1]:
-                self.compile[pathlib.Path(entry["file"])] = words
+                self.compile[Path(entry["file"])] = words
         self.link = self.link_command()
         self.given_key = self.hash_given()
 
     def link_command(self):
         """The command that links the suite, as a list of words."""
-        if (self.build / "build.ninja").exists():
+        if (BUILD / "build.ninja").exists():
             lines = subprocess.run(
-                ["ninja", "-C", self.build, "-t", "commands", self.target],
-                check=True, capture_output=True, text=True).stdout
+                ["ninja", "-C", BUILD, "-t", "commands", self.target],
+                check=True,
+                capture_output=True,
+                text=True,
+            ).stdout
             line = lines.strip().splitlines()[-1]
             line = line.removeprefix(": && ").removesuffix(" && :")
-            folder = self.build
+            folder = BUILD
         else:
-            folder = self.build / "tests"
-            line = (folder / "CMakeFiles" / f"{self.target}.dir" /
-                    "link.txt").read_text()
+            folder = BUILD / "tests"
+            line = (folder / "CMakeFiles" / f"{self.target}.dir" / "link.txt").read_text()
         words = []
         for word in shlex.split(line):
             if f"{self.target}.dir/" in word:
@@ -158,12 +147,19 @@ class Suite:
 
     def hash_given(self):
         """Of all that a mistake does not change, but for the suite itself."""
-        files = [path for pattern in ("common/**/*.hpp", "tests/support/*",
-                                      "tests/golden/**/*", "tools/*.hpp",
-                                      "scenes/**/*")
-                 for path in ROOT.glob(pattern) if path.is_file()]
-        files += [path for path in ROOT.glob("stages/*/path_tracer.hpp")
-                  if int(path.parent.name[0]) < self.stage]
+        files = [
+            path
+            for pattern in (
+                "common/**/*.hpp",
+                "tests/support/*",
+                "tests/golden/**/*",
+                "compare/*.hpp",
+                "scenes/**/*",
+            )
+            for path in ROOT.glob(pattern)
+            if path.is_file()
+        ]
+        files += [path for path in stage_headers() if path < self.header]
         whole = hashlib.sha256(repr(self.link).encode())
         for path in sorted(files):
             whole.update(str(path).encode() + path.read_bytes())
@@ -177,21 +173,17 @@ class Suite:
         """
         includes, parts = [], []
         for number, source in enumerate(sorted(self.compile)):
-            for name in re.findall(r"^#include (.*)$", source.read_text(),
-                                   re.MULTILINE):
+            for name in re.findall(r"^#include (.*)$", source.read_text(), re.MULTILINE):
                 beside = source.parent / name.strip('"')
                 includes.append(f'"{beside}"' if beside.exists() else name)
-            parts.append(f'namespace source{number} {{\n'
-                         f'#include "{source}"\n}}\n')
-        return "".join(f"#include {name}\n"
-                       for name in dict.fromkeys(includes)) + "".join(parts)
+            parts.append(f'namespace source{number} {{\n#include "{source}"\n}}\n')
+        return "".join(f"#include {name}\n" for name in dict.fromkeys(includes)) + "".join(parts)
 
     def key(self, header):
         """Of all that the suite with this header is made from."""
         whole = hashlib.sha256((self.given_key + header).encode())
         for source in sorted(self.compile):
-            whole.update(repr(self.compile[source]).encode() +
-                         source.read_bytes())
+            whole.update(repr(self.compile[source]).encode() + source.read_bytes())
         return whole.hexdigest()
 
     def compile_command(self, source, target, folders):
@@ -202,9 +194,8 @@ class Suite:
         for option in ("-MD", "-MT", "-MF"):
             if option in words:
                 place = words.index(option)
-                del words[place:place + (1 if option == "-MD" else 2)]
-        words = ["-O1" if word in ("-O2", "-O3") else word for word in words
-                 if not word.startswith("-W")]
+                del words[place : place + (1 if option == "-MD" else 2)]
+        words = ["-O1" if word in ("-O2", "-O3") else word for word in words if not word.startswith("-W")]
         return words[:1] + folders + words[1:]
 
 
@@ -236,7 +227,7 @@ def precompile(suite, folder):
     header.write_text("".join(includes))
     words = suite.compile_command(source, folder / "given.hpp.gch", [])
     words[words.index("-c") + 1] = str(header)
-    words[words.index("-c"):words.index("-c")] = ["-x", "c++-header"]
+    words[words.index("-c") : words.index("-c")] = ["-x", "c++-header"]
     run(words, "what the suites include does not compile")
     stamp.write_text(key)
     return header
@@ -247,9 +238,11 @@ def changed_header(mistake, suite):
     text = suite.header.read_text()
     for find, replace in mistake.edits:
         if text.count(find) != 1:
-            raise Failure(f"the text to replace occurs {text.count(find)} "
-                          f"times in {suite.header.relative_to(ROOT)}: "
-                          f"{find.strip().splitlines()[0]}")
+            raise Failure(
+                f"the text to replace occurs {text.count(find)} "
+                f"times in {suite.header.relative_to(ROOT)}: "
+                f"{find.strip().splitlines()[0]}"
+            )
         text = text.replace(find, replace)
     return text
 
@@ -273,16 +266,21 @@ def limit_time():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def run_suite(program, build):
+def run_suite(program):
     """The tests that failed, and how the program ended."""
     # The suite loads the library that reads pictures from the build folder.
-    paths = {name: str(build) for name in ("LD_LIBRARY_PATH",
-                                           "DYLD_LIBRARY_PATH")}
+    paths = {name: str(BUILD) for name in ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")}
     try:
-        done = subprocess.run([program, "-r=xml"], capture_output=True,
-                              text=True, errors="replace",
-                              preexec_fn=limit_time, timeout=20 * TIME_LIMIT,
-                              cwd=program.parent, env=os.environ | paths)
+        done = subprocess.run(
+            [program, "-r=xml"],
+            capture_output=True,
+            text=True,
+            errors="replace",
+            preexec_fn=limit_time,
+            timeout=20 * TIME_LIMIT,
+            cwd=program.parent,
+            env=os.environ | paths,
+        )
         report, code = done.stdout, done.returncode
     except subprocess.TimeoutExpired as late:
         report, code = (late.stdout or b"").decode(errors="replace"), -24
@@ -312,14 +310,13 @@ def try_mistake(mistake, suite, given, folder):
     source.write_text(suite.whole_source())
     result = Result(key, [], "", "")
     try:
-        run(suite.compile_command(source, target,
-                                  [f"-I{folder}", "-include", str(given)]),
-            "does not compile")
+        run(
+            suite.compile_command(source, target, [f"-I{folder}", "-include", str(given)]), "does not compile"
+        )
         program = folder / suite.target
         place = suite.link.index("-o")
-        run(suite.link[:place] + [str(target), "-o", str(program)] +
-            suite.link[place + 2:], "does not link")
-        result.caught, result.end = run_suite(program, suite.build)
+        run(suite.link[:place] + [str(target), "-o", str(program)] + suite.link[place + 2 :], "does not link")
+        result.caught, result.end = run_suite(program)
         program.unlink()
         target.unlink()
     except Failure as failure:
@@ -335,8 +332,7 @@ def judge(mistake, result):
     caught = bool(result.caught or result.end)
     if mistake.verdict == "pass":
         if caught:
-            return "wrongly caught", "is no mistake, and was caught by: " + \
-                "; ".join(result.caught)
+            return "wrongly caught", "is no mistake, and was caught by: " + "; ".join(result.caught)
         return "passes, as it should", ""
     if not caught:
         return "NOT CAUGHT", "no test catches it"
@@ -349,11 +345,12 @@ def as_markdown(rows):
     """The table of mistakes, and that of tests."""
     lines = ["# Mistakes, and the tests that catch them\n"]
     for stage in sorted({mistake.stage for mistake, _, _ in rows}):
-        lines += [f"\n## Stage {stage}\n",
-                  "| # | mistake | what is wrong | expected test | caught by |",
-                  "|---|---|---|---|---|"]
-        caught = {test: 0 for test in
-                  test_names(ROOT / "tests" / f"stage{stage}")}
+        lines += [
+            f"\n## Stage {stage}\n",
+            "| # | mistake | what is wrong | expected test | caught by |",
+            "|---|---|---|---|---|",
+        ]
+        caught = {test: 0 for test in test_names(ROOT / "tests" / f"stage{stage}")}
         for mistake, result, word in rows:
             if mistake.stage != stage:
                 continue
@@ -362,68 +359,70 @@ def as_markdown(rows):
                 caught[test] = caught.get(test, 0) + 1
             if result.end:
                 tests.append(f"*{result.end}*")
-            cells = (str(mistake.number or "-"), mistake.name,
-                     mistake.sentence, word, "; ".join(tests) or "-")
-            lines.append("| " + " | ".join(
-                cell.replace("|", "\\|") for cell in cells) + " |")
+            cells = (
+                str(mistake.number or "-"),
+                mistake.name,
+                mistake.sentence,
+                word,
+                "; ".join(tests) or "-",
+            )
+            lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
         lines += ["\n| test | mistakes it caught |", "|---|---|"]
-        lines += [f"| {test.replace('|', chr(92) + '|')} | {count} |"
-                  for test, count in caught.items()]
+        lines += [f"| {test.replace('|', chr(92) + '|')} | {count} |" for test, count in caught.items()]
     return "\n".join(lines) + "\n"
 
 
 def main():
     """Runs the mistakes that were asked for."""
     parser = argparse.ArgumentParser(
-        description="Puts each known mistake into its stage and sees which "
-        "tests catch it.")
+        description="Puts each known mistake into its stage and sees which tests catch it."
+    )
     parser.add_argument("names", nargs="*", help="only these mistakes")
     parser.add_argument("--stage", type=int, help="only this stage's")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build",
-                        help="a configured and built folder")
     options = parser.parse_args()
-    build = options.build.resolve()
-    folder = build / "mistakes"
+    folder = BUILD / "mistakes"
     try:
-        mistakes = [one for path in sorted(CATALOGUE.glob("stage?.toml"))
-                    for one in read_mistakes(path)]
+        mistakes = [one for path in sorted(CATALOGUE.glob("stage?.toml")) for one in read_mistakes(path)]
         unknown = set(options.names) - {one.name for one in mistakes}
         if unknown:
             raise Failure(f"no such mistake: {', '.join(sorted(unknown))}")
-        chosen = [one for one in mistakes
-                  if (not options.names or one.name in options.names)
-                  and options.stage in (None, one.stage)]
+        chosen = [
+            one
+            for one in mistakes
+            if (not options.names or one.name in options.names) and options.stage in (None, one.stage)
+        ]
         check_catalogue(chosen)
-        suites = {stage: Suite(build, stage)
-                  for stage in sorted({one.stage for one in chosen})}
-        given = {stage: precompile(suite, folder / f"given{stage}")
-                 for stage, suite in suites.items()}
+        suites = {stage: Suite(stage) for stage in sorted({one.stage for one in chosen})}
+        given = {stage: precompile(suite, folder / f"given{stage}") for stage, suite in suites.items()}
     except (Failure, OSError, subprocess.CalledProcessError) as failure:
         sys.exit(f"mistakes: {failure}")
     # Nothing changed must pass, or nothing that follows means anything.
-    chosen = [Mistake(stage, "nothing-changed",
-                      "The stage as it is.", [], verdict="pass")
-              for stage in suites] + chosen
+    chosen = [
+        Mistake(stage, "nothing-changed", "The stage as it is.", [], verdict="pass") for stage in suites
+    ] + chosen
 
     rows, errors = [], 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        results = pool.map(
-            lambda one: try_mistake(one, suites[one.stage], given[one.stage],
-                                    folder), chosen)
+        results = pool.map(lambda one: try_mistake(one, suites[one.stage], given[one.stage], folder), chosen)
         for mistake, result in zip(chosen, results):
             word, error = judge(mistake, result)
             rows.append((mistake, result, word))
             errors += bool(error)
-            print(f"stage {mistake.stage}: {mistake.name}: {error or word}",
-                  flush=True)
-    table = [{**dataclasses.asdict(mistake), "outcome": word,
-              "tests": result.caught, "end": result.end,
-              "error": result.error} for mistake, result, word in rows]
+            print(f"stage {mistake.stage}: {mistake.name}: {error or word}", flush=True)
+    table = [
+        {
+            **dataclasses.asdict(mistake),
+            "outcome": word,
+            "tests": result.caught,
+            "end": result.end,
+            "error": result.error,
+        }
+        for mistake, result, word in rows
+    ]
     (folder / "table.json").write_text(json.dumps(table, indent=1) + "\n")
     (folder / "table.md").write_text(as_markdown(rows))
-    total = {word: sum(row[2] == word for row in rows)
-             for word in dict.fromkeys(row[2] for row in rows)}
+    total = {word: sum(row[2] == word for row in rows) for word in dict.fromkeys(row[2] for row in rows)}
     print(", ".join(f"{count} {word}" for word, count in total.items()))
     print(f"The table is {folder / 'table.md'}")
     return 1 if errors else 0

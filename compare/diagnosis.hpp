@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "common/image/render_result.hpp"
-#include "tools/gamma_function.hpp"
+#include "compare/gamma_function.hpp"
 
 namespace lightwalk {
 

@@ -3,7 +3,8 @@
 import functools
 import re
 
-from literate import ROOT, BookError, pieces
+from compare.stages import ROOT, Failure
+from tools.weave.literate import pieces
 
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 
@@ -12,8 +13,7 @@ IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 def known_names():
     """Every identifier of the code, every word of the scene format."""
     names = set()
-    for pattern in ("common/**/*.hpp", "common/**/*.cpp", "stages/*.hpp",
-                    "stages/*/*.hpp", "stages/*/*.cpp"):
+    for pattern in ("common/**/*.hpp", "common/**/*.cpp", "stages/*.hpp", "stages/*/*.hpp", "stages/*/*.cpp"):
         for path in ROOT.glob(pattern):
             code = re.sub(r"//.*", "", path.read_text())
             names.update(IDENTIFIER.findall(code))
@@ -27,7 +27,7 @@ def exists(code):
         return True
     option = re.match(r"--([a-z-]+)", code)
     if option:
-        return f'"--{option[1]}' in (ROOT / "common/program/options.cpp").read_text()
+        return any(f'"--{option[1]}' in path.read_text() for path in ROOT.glob("common/program/*.?pp"))
     words = IDENTIFIER.findall(re.sub(r'"[^"]*"', "", code))
     return all(word in known_names() for word in words)
 
@@ -36,7 +36,7 @@ def check_text(text, where):
     text = re.sub(r"^```.*?^```", "", text, flags=re.S | re.M)
     for code in re.findall(r"(?<!`)`([^`]+)`(?!`)", text):
         if not exists(" ".join(code.split())):
-            raise BookError(f"{where}: `{code}` is not in the code")
+            raise Failure(f"{where}: `{code}` is not in the code")
 
 
 def check_names(header):

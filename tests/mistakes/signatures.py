@@ -1,7 +1,6 @@
-#!/usr/bin/env python3
 """Renders each known mistake, and keeps what it looks like.
 
-    signatures.py [--stage N] [-j JOBS] [--build build]
+    python3 -m tests.mistakes.signatures [--stage N] [-j JOBS]
 
 A mistake that a golden image catches leaves its signature, the means and
 variances of tiles, in tests/golden/signatures/stageN_scene.txt: a failing
@@ -14,14 +13,13 @@ one? The reports and pictures of that stay in build/signatures/, for the book.
 import argparse
 import concurrent.futures
 import os
-import pathlib
 import re
 import subprocess
 import sys
 
-import mistakes as catalogue
+from compare.stages import BUILD, ROOT, Failure
+from tests.mistakes import mistakes as catalogue
 
-ROOT = catalogue.ROOT
 SIGNATURES = ROOT / "tests" / "golden" / "signatures"
 
 
@@ -41,20 +39,18 @@ def build_suite(mistake, suite, given, folder):
     catalogue.run(suite.compile_command(source, target, options), mistake.name)
     place = suite.link.index("-o")
     rest = suite.link[place + 2 :]
-    catalogue.run(
-        [*suite.link[:place], str(target), "-o", str(program), *rest], mistake.name
-    )
+    catalogue.run([*suite.link[:place], str(target), "-o", str(program), *rest], mistake.name)
     target.unlink()
     return program
 
 
-def run_goldens(program, build, seed, name=None):
+def run_goldens(program, seed, name=None):
     """What the golden test says with this seed; signatures are left beside."""
     environment = {
         **os.environ,
         "LIGHTWALK_GOLDEN_SEED": str(seed),
-        "LD_LIBRARY_PATH": str(build),
-        "DYLD_LIBRARY_PATH": str(build),
+        "LD_LIBRARY_PATH": str(BUILD),
+        "DYLD_LIBRARY_PATH": str(BUILD),
     }
     if name:
         environment["LIGHTWALK_SIGNATURE"] = name
@@ -62,8 +58,13 @@ def run_goldens(program, build, seed, name=None):
             old.unlink()
     try:
         return subprocess.run(
-            [program], env=environment, cwd=program.parent, capture_output=True,
-            text=True, errors="replace", timeout=600,
+            [program],
+            env=environment,
+            cwd=program.parent,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=600,
             preexec_fn=catalogue.limit_time,
         ).stdout
     except subprocess.TimeoutExpired:
@@ -113,39 +114,33 @@ def main():
     parser.add_argument("--stage", type=int)
     parser.add_argument("names", nargs="*", help="stageN/name, only these")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build")
     options = parser.parse_args()
-    build = options.build.resolve()
-    folder = build / "signatures"
+    folder = BUILD / "signatures"
     mistakes = [
         one
         for path in sorted(catalogue.CATALOGUE.glob("stage?.toml"))
         for one in catalogue.read_mistakes(path)
-        if one.verdict == "fail" and options.stage in (None, one.stage)
+        if one.verdict == "fail"
+        and options.stage in (None, one.stage)
         and (not options.names or f"stage{one.stage}/{one.name}" in options.names)
     ]
-    suites = {n: catalogue.Suite(build, n) for n in sorted({m.stage for m in mistakes})}
-    given = {
-        n: catalogue.precompile(suite, folder / f"given{n}")
-        for n, suite in suites.items()
-    }
+    suites = {n: catalogue.Suite(n) for n in sorted({m.stage for m in mistakes})}
+    given = {n: catalogue.precompile(suite, folder / f"given{n}") for n, suite in suites.items()}
 
     def render(mistake):
         suite = suites[mistake.stage]
         program = build_suite(mistake, suite, given[mistake.stage], folder)
-        report = run_goldens(program, build, 5, mistake.name)
+        report = run_goldens(program, 5, mistake.name)
         count = report.count("ERROR: golden")
         print(f"stage {mistake.stage}: {mistake.name}: {count} goldens fail", flush=True)
         return mistake, program
 
     try:
         rows = in_parallel(options.jobs, render, mistakes)
-    except catalogue.Failure as failure:
+    except Failure as failure:
         sys.exit(f"signatures: {failure}")
     collect(rows)
-    reports = in_parallel(
-        options.jobs, lambda row: run_goldens(row[1], build, 77), rows
-    )
+    reports = in_parallel(options.jobs, lambda row: run_goldens(row[1], 77), rows)
     for (_, program), report in zip(rows, reports):
         (program.parent / "report.txt").write_text(report)
     table = confusion(rows, reports)

@@ -2,8 +2,21 @@
 
 import math
 
-from diagrams import (COOL, GREEN, INK, SOFT, WARM, arc, circle, curve,
-                      diagram, line, polar, ray, text)
+from tools.weave.drawing import (
+    COOL,
+    GREEN,
+    INK,
+    SOFT,
+    WARM,
+    arc,
+    circle,
+    curve,
+    diagram,
+    line,
+    polar,
+    ray,
+    text,
+)
 
 
 def surface(x, y, half):
@@ -27,17 +40,17 @@ def lobe(x, y, name):
 
 
 @diagram("diffuse-lobe", 220, 150)
-def diffuse_lobe(_):
+def diffuse_lobe():
     yield from lobe(110, 130, "diffuse")
 
 
 @diagram("specular-lobe", 220, 150)
-def specular_lobe(_):
+def specular_lobe():
     yield from lobe(110, 130, "specular")
 
 
 @diagram("refraction-lobe", 220, 220)
-def refraction_lobe(_):
+def refraction_lobe():
     yield from lobe(110, 130, "refraction")
 
 
@@ -58,56 +71,53 @@ def mirror(x, y, at_surface):
 
 
 @diagram("mirror-directions", 540, 250)
-def mirror_directions(_):
+def mirror_directions():
     for x, name in ((135, "on the slide"), (405, "in the code")):
         yield from mirror(x, 180, x < 200)
         yield text(x, 232, name)
 
 
 @diagram("mirror", 280, 190)
-def mirror_of_the_slide(_):
+def mirror_of_the_slide():
     yield from mirror(140, 170, True)
 
 
 @diagram("one-path", 560, 300)
-def one_path(_):
-    yield f'<path d="M40 30 H530 V270 H40" fill="none" stroke="{INK}" ' \
-          'stroke-width="2.4"/>'
+def one_path():
+    yield f'<path d="M40 30 H530 V270 H40" fill="none" stroke="{INK}" stroke-width="2.4"/>'
     yield line(220, 30, 360, 30, WARM, 7)
     yield text(290, 20, "lamp", WARM)
-    points = [(40, 160), (250, 270), (530, 140), (150, 30), (180, 270),
-              (300, 30)]
+    points = [(40, 160), (250, 270), (530, 140), (150, 30), (180, 270), (300, 30)]
     for number, (a, b) in enumerate(zip(points, points[1:])):
         yield line(*a, *b, COOL, 2, True)
         if 0 < number:
             yield circle(*a, 5)
-            yield text(a[0] + (18 if a[0] < 500 else -16),
-                       a[1] + (20 if a[1] < 200 else -10), str(number), size=14)
+            yield text(
+                a[0] + (18 if a[0] < 500 else -16), a[1] + (20 if a[1] < 200 else -10), str(number), size=14
+            )
     yield text(50, 146, "camera", SOFT, "start", size=14)
-    yield text(316, 52, "its emission, times the product", WARM, "start",
-               size=13)
+    yield text(316, 52, "its emission, times the product", WARM, "start", size=13)
     yield text(316, 68, "of the weights", WARM, "start", size=13)
 
 
 def tree(x, y, angle, length, depth):
     """Branches of a path: two at every end."""
     end = polar(x, y, angle, length)
-    yield line(x, y, *end, WARM, 0.7 + depth * .35)
+    yield line(x, y, *end, WARM, 0.7 + depth * 0.35)
     if depth:
         spread = 9 + 7 * depth
         for side in (-spread, spread):
-            yield from tree(*end, angle + side, length * .8, depth - 1)
+            yield from tree(*end, angle + side, length * 0.8, depth - 1)
     else:
         yield circle(*end, 2, WARM)
 
 
 @diagram("branching", 600, 300)
-def branching(_):
+def branching():
     yield from tree(150, 262, 0, 56, 5)
     yield text(150, 288, "every lobe: 2, 4, 8, 16, 32")
     x, y = 450, 262
-    for angle, length in ((0, 56), (30, 45), (-14, 38), (16, 32), (-30, 27),
-                          (8, 24)):
+    for angle, length in ((0, 56), (30, 45), (-14, 38), (16, 32), (-30, 27), (8, 24)):
         end = polar(x, y, angle, length)
         yield line(x, y, *end, COOL, 2.2)
         x, y = end
@@ -116,7 +126,7 @@ def branching(_):
 
 
 @diagram("pinhole", 600, 270)
-def pinhole(_):
+def pinhole():
     origin = (60, 150)
     corners = [(380, 60), (450, 20), (450, 200), (380, 250)]
     path = " ".join(f"{x},{y}" for x, y in corners)
@@ -137,21 +147,21 @@ def pinhole(_):
 
 
 @diagram("densities", 560, 270)
-def densities(_):
+def densities():
     """Both densities of theta, and their distributions."""
     for x0, name, functions in (
-            (40, "density of θ", ((math.sin, WARM),
-                                  (lambda t: math.sin(2 * t), COOL))),
-            (320, "its distribution",
-             ((lambda t: 1 - math.cos(t), WARM),
-              (lambda t: math.sin(t) ** 2, COOL)))):
+        (40, "density of θ", ((math.sin, WARM), (lambda t: math.sin(2 * t), COOL))),
+        (320, "its distribution", ((lambda t: 1 - math.cos(t), WARM), (lambda t: math.sin(t) ** 2, COOL))),
+    ):
         y0, width, height = 215, 200, 165
         yield line(x0, y0, x0 + width, y0)
         yield line(x0, y0, x0, y0 - height - 8)
         for function, color in functions:
-            yield curve([(x0 + width * i / 60,
-                          y0 - height * function(math.pi / 2 * i / 60))
-                         for i in range(61)], color, 2.4)
+            yield curve(
+                [(x0 + width * i / 60, y0 - height * function(math.pi / 2 * i / 60)) for i in range(61)],
+                color,
+                2.4,
+            )
         yield text(x0 + width, y0 + 18, "90°", SOFT, size=13)
         yield text(x0 - 7, y0 - height + 5, "1", SOFT, "end", size=13)
         yield text(x0 - 7, y0 + 5, "0", SOFT, "end", size=13)

@@ -1,22 +1,20 @@
 """Reads a literate header: prose, code, and the regions that name code."""
 
+import difflib
 import re
 from dataclasses import dataclass, field
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from compare.stages import ROOT, Failure, stage_headers
+
 WIDEST = 78
 MARKER = re.compile(r"// #(end)?region ([\w-]+)$")
 CLOSING = re.compile(r"^(#pragma once|\}  // namespace [\w:]+|)$")
 
 
-class BookError(Exception):
-    """Something that must not be published; says where and what."""
-
-
 @dataclass
 class Piece:
     """A run of lines of one kind. `line` is the first one's number."""
+
     kind: str  # "prose" or "code"
     line: int
     lines: list = field(default_factory=list)
@@ -29,14 +27,14 @@ def pieces(path):
     for number, line in enumerate(path.read_text().splitlines(), 1):
         where = f"{path.relative_to(ROOT)}:{number}"
         if len(line) > WIDEST:
-            raise BookError(f"{where}: over {WIDEST} columns")
+            raise Failure(f"{where}: over {WIDEST} columns")
         marker = MARKER.match(line)
         if marker:
             end, name = marker.groups()
             if end and name != region:
-                raise BookError(f"{where}: ends region {name}, not {region}")
+                raise Failure(f"{where}: ends region {name}, not {region}")
             if not end and region:
-                raise BookError(f"{where}: region {name} within {region}")
+                raise Failure(f"{where}: region {name} within {region}")
             region = None if end else name
             found.append(Piece("code", number + 1, region=region))
             continue
@@ -46,7 +44,7 @@ def pieces(path):
             found.append(Piece(kind, number, region=region))
         found[-1].lines.append(line[3:] if prose else line)
     if region:
-        raise BookError(f"{path.relative_to(ROOT)}: region {region} not ended")
+        raise Failure(f"{path.relative_to(ROOT)}: region {region} not ended")
     return [piece for piece in map(trimmed, found) if piece.lines]
 
 
@@ -68,7 +66,7 @@ def regions(path):
         if marker and not marker.group(1):
             name = marker.group(2)
             if name in found:
-                raise BookError(f"{path}:{number}: region {name} twice")
+                raise Failure(f"{path}:{number}: region {name} twice")
             found[name] = Piece("code", number + 1, region=name)
         elif marker:
             name = None
@@ -82,13 +80,27 @@ def region(reference):
     path, _, name = reference.partition("#")
     header = ROOT / path
     if not header.is_file():
-        raise BookError(f"{reference}: there is no such header")
+        raise Failure(f"{reference}: there is no such header")
     known = regions(header)
     if name not in known:
-        raise BookError(f"{reference}: no such region; {path} has "
-                        + ", ".join(known))
+        raise Failure(f"{reference}: no such region; {path} has " + ", ".join(known))
     return known[name]
 
 
-def stage_headers():
-    return sorted(ROOT.glob("stages/[1-9]_*/path_tracer.hpp"))
+def earlier_version(path, name):
+    """The region of that name in the nearest earlier stage, with its path."""
+    for other in reversed([p for p in stage_headers() if p < path]):
+        if path.parent.parent.name == "stages" and name in regions(other):
+            return other, regions(other)[name].lines
+    return None, None
+
+
+def changed_lines(old, new):
+    blocks = difflib.SequenceMatcher(None, old, new, False).get_opcodes()
+    return [
+        n + 1
+        for tag, _, _, first, last in blocks
+        if tag != "equal"
+        for n in range(first, last)
+        if new[n].strip()
+    ]

@@ -8,8 +8,8 @@
 
 #include "common/image/image_file.hpp"
 #include "common/scene_file/message_text.hpp"
-#include "tools/comparison.hpp"
-#include "tools/verdict.hpp"
+#include "compare/comparison.hpp"
+#include "compare/verdict.hpp"
 
 namespace {
 

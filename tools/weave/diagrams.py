@@ -1,95 +1,37 @@
-"""The figures that are drawn, as SVG: diagrams, curves, and one chart."""
+"""The figures that are drawn: diagrams, curves, and one chart."""
 
 import math
 import random
 
-from literate import BookError
-
-INK, SOFT, WARM, COOL, GREEN = "#222", "#888", "#b4491a", "#1f5fa8", "#3c7a3c"
-DRAWN = {}
-
-
-def diagram(name, width, height):
-    """Registers a function that returns a diagram's shapes."""
-    def register(function):
-        DRAWN[name] = (function, width, height)
-        return function
-    return register
-
-
-def draw(name, figures):
-    if name not in DRAWN:
-        raise BookError(f"diagrams.py draws no '{name}'")
-    function, width, height = DRAWN[name]
-    heads = "".join(
-        f'<marker id="{color[1:]}" viewBox="0 0 8 8" refX="7" refY="4" '
-        'markerWidth="7" markerHeight="7" orient="auto-start-reverse">'
-        f'<path d="M0 0.8 8 4 0 7.2z" fill="{color}"/></marker>'
-        for color in (INK, SOFT, WARM, COOL, GREEN))
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" '
-            f'viewBox="0 0 {width} {height}" width="{width}" '
-            f'height="{height}" font-family="Georgia, DejaVu Serif, serif" '
-            f'font-size="15" fill="{INK}"><defs>{heads}</defs>'
-            + "".join(function(figures)) + "</svg>\n")
-
-
-def line(x1, y1, x2, y2, color=INK, width=1.6, arrow=False, dash=""):
-    end = f' marker-end="url(#{color[1:]})"' if arrow else ""
-    dashes = f' stroke-dasharray="{dash}"' if dash else ""
-    return (f'<path d="M{x1:.1f} {y1:.1f} L{x2:.1f} {y2:.1f}" fill="none" '
-            f'stroke="{color}" stroke-width="{width}"{dashes}{end}/>')
-
-
-def curve(points, color=INK, width=1.8, dash=""):
-    path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
-    dashes = f' stroke-dasharray="{dash}"' if dash else ""
-    return (f'<polyline points="{path}" fill="none" stroke="{color}" '
-            f'stroke-width="{width}"{dashes}/>')
-
-
-def text(x, y, words, color=INK, anchor="middle", style="", size=15):
-    """Words; `w_o` in them becomes an omega with a lower o, and so on."""
-    for letter, sign in (("w", "ω"), ("t", "θ"), ("p", "p"), ("e", "η"),
-                         ("k", "k"), ("r", "r")):
-        for index in "oidsptr":
-            words = words.replace(
-                f"{letter}_{index}",
-                f'{sign}<tspan dy="4" font-size="11">{index}</tspan>'
-                '<tspan dy="-4">​</tspan>')
-    return (f'<text x="{x:.1f}" y="{y:.1f}" fill="{color}" '
-            f'font-size="{size}" text-anchor="{anchor}" '
-            f'font-style="{style or "normal"}">{words}</text>')
-
-
-def circle(x, y, r, fill=INK, stroke="none"):
-    return (f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{r}" fill="{fill}" '
-            f'stroke="{stroke}"/>')
-
-
-def polar(x, y, degrees, r):
-    """A point at an angle from straight up, to the right if positive."""
-    a = math.radians(degrees)
-    return x + r * math.sin(a), y - r * math.cos(a)
-
-
-def arc(x, y, first, last, r, color=INK):
-    steps = [first + (last - first) * i / 24 for i in range(25)]
-    return curve([polar(x, y, a, r) for a in steps], color, 1.2)
-
-
-def ray(x, y, degrees, r, color, width=2):
-    return line(x, y, *polar(x, y, degrees, r), color, width, True)
+from tools.weave.drawing import (
+    COOL,
+    GREEN,
+    INK,
+    SOFT,
+    WARM,
+    arc,
+    axes,
+    circle,
+    curve,
+    diagram,
+    line,
+    polar,
+    ray,
+    text,
+)
+from tools.weave.renders import Render
 
 
 @diagram("hemisphere", 440, 270)
-def hemisphere(_):
+def hemisphere():
     x, y, r = 220, 220, 150
     yield line(30, y, 410, y, INK, 2)
-    yield (f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" '
-           f'fill="#f3e9df" stroke="{SOFT}" stroke-dasharray="4 3"/>')
+    yield (
+        f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" '
+        f'fill="#f3e9df" stroke="{SOFT}" stroke-dasharray="4 3"/>'
+    )
     for angle in (-72, -50, -12, 20, 62):
-        yield line(*polar(x, y, angle, r + 34), *polar(x, y, angle, r + 8),
-                   WARM, 1.2, True)
+        yield line(*polar(x, y, angle, r + 34), *polar(x, y, angle, r + 8), WARM, 1.2, True)
     yield ray(x, y, 0, r + 30, INK)
     yield text(x + 14, y - r - 24, "n", style="italic")
     yield ray(x, y, 42, r, WARM)
@@ -104,28 +46,28 @@ def hemisphere(_):
 
 
 @diagram("two-densities", 520, 300)
-def two_densities(_):
+def two_densities():
     drawn = random.Random(1)
     pairs = [(drawn.random(), drawn.random()) for _ in range(400)]
-    for x, name, cosine in ((130, "uniform in solid angle", False),
-                            (390, "in proportion to the cosine", True)):
+    for x, name, cosine in (
+        (130, "uniform in solid angle", False),
+        (390, "in proportion to the cosine", True),
+    ):
         yield circle(x, 130, 100, "#f3e9df", SOFT)
         for u, v in pairs:
             sine = math.sqrt(u) if cosine else math.sqrt(1 - u * u)
             phi = 2 * math.pi * v
-            yield circle(x + 100 * sine * math.cos(phi),
-                         130 + 100 * sine * math.sin(phi), 1.7, WARM)
+            yield circle(x + 100 * sine * math.cos(phi), 130 + 100 * sine * math.sin(phi), 1.7, WARM)
         yield text(x, 262, name)
-        share = sum((math.sqrt(1 - u) if cosine else u) > math.cos(
-            math.radians(60)) for u, _ in pairs) / len(pairs)
-        yield text(x, 284, f"{share:.0%} within 60° of the normal", SOFT,
-                   size=13)
+        share = sum((math.sqrt(1 - u) if cosine else u) > math.cos(math.radians(60)) for u, _ in pairs) / len(
+            pairs
+        )
+        yield text(x, 284, f"{share:.0%} within 60° of the normal", SOFT, size=13)
 
 
 @diagram("next-event", 520, 300)
-def next_event(_):
-    yield f'<path d="M30 30 H490 V270 H30" fill="none" stroke="{INK}" ' \
-          'stroke-width="2"/>'
+def next_event():
+    yield f'<path d="M30 30 H490 V270 H30" fill="none" stroke="{INK}" stroke-width="2"/>'
     yield circle(365, 150, 36, "#d9e4ef", COOL)
     yield circle(250, 80, 6, "#e8b400", WARM)
     yield text(250, 62, "light", WARM)
@@ -149,7 +91,7 @@ def next_event(_):
 
 
 @diagram("area-to-angle", 440, 290)
-def area_to_angle(_):
+def area_to_angle():
     x, y = 130, 250
     yield line(30, y, 300, y, INK, 2)
     yield f'<path d="M{x} {y} L286 62 L334 92z" fill="#fdf0c8"/>'
@@ -172,25 +114,26 @@ def area_to_angle(_):
 
 
 @diagram("snell", 520, 270)
-def snell(_):
+def snell():
     for x, angle in ((95, 25), (260, 41.81), (425, 60)):
         y = 120
-        yield (f'<path d="M{x - 75} {y} H{x + 75} V250 H{x - 75}z" '
-               'fill="#d9e4ef"/>')
+        yield (f'<path d="M{x - 75} {y} H{x + 75} V250 H{x - 75}z" fill="#d9e4ef"/>')
         yield line(x - 75, y, x + 75, y, COOL, 2)
         yield line(x, y - 92, x, y + 108, SOFT, 1, False, "4 4")
         length = min(116, 74 / math.sin(math.radians(angle)))
         yield line(x, y, *polar(x, y, 180 + angle, length), COOL, 2, True)
         sine = 1.5 * math.sin(math.radians(angle))
-        yield line(x, y, *polar(x, y, 180 - angle, 100), SOFT, 1.2, True) \
-            if sine < 1 else \
-            line(x, y, *polar(x, y, 180 - angle, length), WARM, 2.2, True)
+        yield (
+            line(x, y, *polar(x, y, 180 - angle, 100), SOFT, 1.2, True)
+            if sine < 1
+            else line(x, y, *polar(x, y, 180 - angle, length), WARM, 2.2, True)
+        )
         if sine < 1.0005:
             out = math.degrees(math.asin(min(sine, 1)))
             yield ray(x, y, out if out < 89 else 90, 80, WARM)
-            yield text(*polar(x + 6, y - 10 if out > 89 else y,
-                              min(out, 84), 64 if out > 89 else 88),
-                       "w_i", WARM)
+            yield text(
+                *polar(x + 6, y - 10 if out > 89 else y, min(out, 84), 64 if out > 89 else 88), "w_i", WARM
+            )
         else:
             yield text(x + 36, y - 40, "none", WARM)
         yield text(*polar(x - 12, y - 6, 180 + angle, length - 34), "w_o", COOL)
@@ -204,82 +147,79 @@ def bar(y, parts, end):
     x = 30
     for name, share, color in parts:
         width = 440 * share
-        yield (f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" '
-               f'fill="{color}" stroke="#fff"/>')
+        yield (f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" fill="{color}" stroke="#fff"/>')
         yield text(x + width / 2, y + 25, name, "#fff", size=13)
         x += width
     yield line(30 + 440 * end, y - 8, 30 + 440 * end, y + 48, INK, 1.5)
 
 
 def events(y, last="absorbed"):
-    yield from bar(y, (("diffuse p_d", .4, WARM),
-                       ("specular p_s", .25, COOL),
-                       ("refraction p_t", .2, GREEN),
-                       (last, .15, "#444")), 1)
+    yield from bar(
+        y,
+        (
+            ("diffuse p_d", 0.4, WARM),
+            ("specular p_s", 0.25, COOL),
+            ("refraction p_t", 0.2, GREEN),
+            (last, 0.15, "#444"),
+        ),
+        1,
+    )
     yield text(30, y + 60, "0", anchor="middle")
     yield text(470, y + 60, "1", anchor="middle")
 
 
 def overfull(y):
     scale = 1 / 1.8
-    yield from bar(y, (("red k_d: 0.9", .9 * scale, "#b03030"),
-                       ("green k_s: 0.9", .9 * scale, GREEN)), scale)
+    yield from bar(
+        y, (("red k_d: 0.9", 0.9 * scale, "#b03030"), ("green k_s: 0.9", 0.9 * scale, GREEN)), scale
+    )
     yield text(30, y + 60, "0")
-    yield text(30 + 440 * scale, y + 60, "1: ξ never comes here",
-               anchor="start", size=14)
+    yield text(30 + 440 * scale, y + 60, "1: ξ never comes here", anchor="start", size=14)
     yield text(470, y - 10, "1.8", SOFT)
 
 
 def random_number(y):
-    yield line(30 + 440 * .52, y - 30, 30 + 440 * .52, y - 2, INK, 2, True)
-    yield text(30 + 440 * .52, y - 34, "ξ = 0.52", size=13)
+    yield line(30 + 440 * 0.52, y - 30, 30 + 440 * 0.52, y - 2, INK, 2, True)
+    yield text(30 + 440 * 0.52, y - 34, "ξ = 0.52", size=13)
 
 
 @diagram("event-bar", 520, 250)
-def event_bar(_):
+def event_bar():
     yield from events(50)
     yield from random_number(50)
     yield from overfull(170)
 
 
 @diagram("events", 500, 120)
-def event_bar_alone(_):
+def event_bar_alone():
     yield from events(50)
     yield from random_number(50)
 
 
 @diagram("events-open", 500, 80)
-def event_bar_open(_):
+def event_bar_open():
     yield from events(12, "?")
 
 
 @diagram("overfull-bar", 500, 90)
-def overfull_bar(_):
+def overfull_bar():
     yield from overfull(25)
 
 
-def axes(x, y, width, height):
-    yield line(x, y, x + width, y, INK, 1.4)
-    yield line(x, y, x, y - height, INK, 1.4)
-
-
 @diagram("ray-counts", 560, 340)
-def ray_counts(figures):
-    from figures import Render
+def ray_counts():
     bounds = range(1, 11)
     x0, y0, dx, dy = 70, 290, 46, 68
     yield from axes(x0, y0, 480, 270)
     for power in range(0, 4):
         y = y0 - dy * power
         yield line(x0, y, x0 + 480, y, "#ddd", 1)
-        yield text(x0 - 10, y + 5, f"{10 ** power:,}", SOFT, "end", size=13)
-    for stage, color, name in ((3, WARM, "stage 3: every lobe"),
-                                (4, COOL, "stage 4: one by lot")):
+        yield text(x0 - 10, y + 5, f"{10**power:,}", SOFT, "end", size=13)
+    for stage, color, name in ((3, WARM, "stage 3: every lobe"), (4, COOL, "stage 4: one by lot")):
         points = []
         for bound in bounds:
             options = (f"--size 16x16 --spp 16 --max-bounces {bound}").split()
-            count = Render(figures.build, stage, "scenes/plastic.toml",
-                           options).rays_per_sample()
+            count = Render(stage, "scenes/plastic.toml", options).rays_per_sample()
             points.append((x0 + dx * bound, y0 - dy * math.log10(count)))
         yield curve(points, color, 2.2)
         for px, py in points:
@@ -304,17 +244,17 @@ def fresnel(degrees, ratio):
 
 
 @diagram("fresnel-curves", 520, 290)
-def fresnel_curves(_):
-    for x0, ratio, name, mark in ((44, 1 / 1.5, "from outside", 56.31),
-                                  (294, 1.5, "from inside", 41.81)):
+def fresnel_curves():
+    for x0, ratio, name, mark in ((44, 1 / 1.5, "from outside", 56.31), (294, 1.5, "from inside", 41.81)):
         y0, width, height = 235, 200, 190
         yield from axes(x0, y0, width, height)
-        for i, (color, dash) in enumerate(((INK, ""), (WARM, "6 3"),
-                                            (COOL, "2 3"))):
-            yield curve([(x0 + width * a / 180,
-                          y0 - height * fresnel(a / 2, ratio)[i])
-                         for a in range(0, 181)], color, 2 if not i else 1.6,
-                        dash)
+        for i, (color, dash) in enumerate(((INK, ""), (WARM, "6 3"), (COOL, "2 3"))):
+            yield curve(
+                [(x0 + width * a / 180, y0 - height * fresnel(a / 2, ratio)[i]) for a in range(0, 181)],
+                color,
+                2 if not i else 1.6,
+                dash,
+            )
         at = x0 + width * mark / 90
         yield line(at, y0, at, y0 - height, SOFT, 1, False, "3 3")
         yield text(at, y0 + 18, f"{mark:.1f}°", SOFT, size=13)
@@ -322,6 +262,5 @@ def fresnel_curves(_):
         yield text(x0 - 6, y0 + 5, "0", SOFT, "end", size=13)
         yield text(x0 - 6, y0 - height + 8, "1", SOFT, "end", size=13)
         yield text(x0 + width / 2, 26, name)
-    for x, color, name in ((150, INK, "F"), (250, WARM, "r_s squared"),
-                            (380, COOL, "r_p squared")):
+    for x, color, name in ((150, INK, "F"), (250, WARM, "r_s squared"), (380, COOL, "r_p squared")):
         yield text(x, 280, name, color, size=14)

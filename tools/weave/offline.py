@@ -1,13 +1,13 @@
 """Checks that pages ask nobody for anything.
 
-    offline.py FOLDER   names the first file that refers to the network
+offline.py FOLDER   names the first file that refers to the network
 """
 
 import re
 import sys
 from pathlib import Path
 
-from literate import BookError
+from compare.stages import Failure
 
 ELSEWHERE = r"[\"']?\s*(?:https?:|wss?:)?//[\w.-]+"
 REQUESTS = re.compile(
@@ -15,7 +15,9 @@ REQUESTS = re.compile(
     rf"[^>]*?\s(?:src|href|data|xlink:href|srcset)=({ELSEWHERE})"
     r"|<link\b(?=[^>]*?\brel=[\"']?(?:stylesheet|icon|preload|prefetch|"
     rf"preconnect|modulepreload))[^>]*?\shref=({ELSEWHERE})"
-    rf"|\burl\(\s*({ELSEWHERE})|@import\s+(?:url\()?({ELSEWHERE})", re.I)
+    rf"|\burl\(\s*({ELSEWHERE})|@import\s+(?:url\()?({ELSEWHERE})",
+    re.I,
+)
 
 
 def check_offline(folder):
@@ -25,12 +27,13 @@ def check_offline(folder):
         found = REQUESTS.search(path.read_text())
         if found:
             address = next(filter(None, found.groups())).strip("\"' ")
-            raise BookError(f"{path.relative_to(folder.parent)}: asks "
-                            f"{address}; pages must work without a network")
+            raise Failure(
+                f"{path.relative_to(folder.parent)}: asks {address}; pages must work without a network"
+            )
 
 
 if __name__ == "__main__":
     try:
         check_offline(Path(sys.argv[1]).resolve())
-    except BookError as error:
+    except Failure as error:
         sys.exit(f"offline: {error}")

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/comparison.hpp"
+#include "compare/comparison.hpp"
 
 namespace lightwalk {
 

@@ -1,0 +1,77 @@
+"""Where the tree and its programs are, how they are run, what they leave.
+
+All of the tree's Python stands on this. LIGHTWALK_BUILD names the build
+folder, if it is not build/.
+"""
+
+import json
+import os
+import re
+import struct
+import subprocess
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build")).absolute()
+SCENES = ROOT / "scenes"
+
+
+class Failure(Exception):
+    """Something that the user has to put right."""
+
+
+def stage_headers():
+    """The chapters, in order."""
+    return sorted(ROOT.glob("stages/[1-9]_*/path_tracer.hpp"))
+
+
+def core_headers():
+    """The core's headers in the order of its map, common/README.md."""
+    text = (ROOT / "common/README.md").read_text()
+    listed = [ROOT / "common" / name for name in re.findall(r"\]\((\w+/\w+\.hpp)\)", text)]
+    odd = set(ROOT.glob("common/**/*.hpp")) ^ set(listed)
+    odd = odd or {path for path in listed if listed.count(path) > 1}
+    if odd:
+        names = ", ".join(sorted(path.relative_to(ROOT).as_posix() for path in odd))
+        raise Failure(f"common/README.md: missing, listed twice or not there: {names}")
+    return listed
+
+
+def built_stages():
+    """The names of the programs that there are, the newest last."""
+    return sorted(path.name for path in BUILD.glob("stage[1-9]"))
+
+
+def run(program, *arguments, folder=None, **options):
+    """Runs a program to its end; what it prints is text."""
+    return subprocess.run(
+        [BUILD / program, *map(str, arguments)],
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        encoding="utf-8",
+        errors="backslashreplace",
+        **options,
+    )
+
+
+def render(program, scene, image, *options):
+    """Renders the scene to the image, and returns the program's report of it."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = Path(folder) / "report.json"
+        done = run(program, scene, "-o", image, "--report", report, *options)
+        if done.returncode:
+            raise Failure(f"{program}: {done.stderr.strip()}")
+        return json.loads(report.read_text())
+
+
+def read_pfm(path):
+    """Width, height and the pixels' (r, g, b), row by row from the top."""
+    magic, size, scale, data = Path(path).read_bytes().split(b"\n", 3)
+    width, height = map(int, size.split())
+    if (magic, scale, len(data)) != (b"PF", b"-1.0", 12 * width * height):
+        raise ValueError(f"{path} is not the .pfm that the stages write")
+    pixels = list(struct.iter_unpack("<3f", data))
+    rows = [pixels[i : i + width] for i in range(0, len(pixels), width)]
+    return width, height, [pixel for row in reversed(rows) for pixel in row]

@@ -1,0 +1,96 @@
+"""The house's arrows point one way, and its map shows all that there is.
+
+PYTHONPATH=. python3 tests/house/test_house.py    prints the arrows too
+"""
+
+import collections
+import pathlib
+import re
+import shutil
+import tempfile
+import unittest
+from unittest import mock
+
+from compare import stages
+from compare.stages import ROOT
+
+CPP = re.compile(r'^\s*#\s*include "(.*)"', re.MULTILINE)
+PYTHON = re.compile(r"^from (\S+) import (\w+)|^import (\S+)", re.MULTILINE)
+
+
+def room(path):
+    """common/geometry, stages/3, tests: what the rules are about."""
+    first, *rest = path.relative_to(ROOT).parts
+    if first == "common" and len(rest) > 1:
+        return f"common/{rest[0]}"
+    return f"stages/{rest[0][0]}" if first == "stages" and len(rest) > 1 else first
+
+
+def included(path):
+    """The files of the tree that this one includes or imports."""
+    text = path.read_text()
+    names = CPP.findall(text)
+    if path.suffix == ".py":
+        for package, name, module in PYTHON.findall(text):
+            there = (module or package).replace(".", "/")
+            names += [f"{there}.py", f"{there}/{name}.py"]
+    for name in names:
+        for folder in (ROOT, ROOT / "tests"):
+            if (folder / name).is_file():
+                yield folder / name
+                break
+
+
+def arrows():
+    count = collections.Counter()
+    for top in ("common", "stages", "compare", "tests", "tools"):
+        for path in (ROOT / top).rglob("*"):
+            if path.suffix in (".hpp", ".cpp", ".py"):
+                count.update((room(path), room(other)) for other in included(path))
+    return count
+
+
+def ranks():
+    """A room may use those of a lower rank; the core's are in its map's order."""
+    core = re.findall(r"^## (\w+)", (ROOT / "common/README.md").read_text(), re.MULTILINE)
+    order = [f"common/{name}" for name in core] + ["compare", "stages"]
+    order += sorted({room(path) for path in stages.stage_headers()})
+    return {name: rank for rank, name in enumerate(order)} | {"tests": len(order), "tools": len(order)}
+
+
+class House(unittest.TestCase):
+    def test_no_arrow_points_back(self):
+        rank = ranks()
+        back = [f"{a} -> {b}" for a, b in arrows() if a != b and rank.get(a, -1) <= rank.get(b, 99)]
+        self.assertEqual(back, [])
+
+    def test_the_map_lists_the_core_as_it_is(self):
+        stages.core_headers()
+
+    def assert_refused(self, change, name):
+        """The map is refused with this name after the change to a copy."""
+        root = pathlib.Path(tempfile.mkdtemp(prefix="lightwalk-"))
+        self.addCleanup(shutil.rmtree, root)
+        shutil.copytree(ROOT / "common", root / "common")
+        text = (root / "common/README.md").read_text()
+        (root / "common/README.md").write_text(change(text))
+        with mock.patch.object(stages, "ROOT", root):
+            self.assertRaisesRegex(stages.Failure, name, stages.core_headers)
+
+    def test_a_header_that_the_map_lacks(self):
+        self.assert_refused(lambda text: text.replace("math/vector.hpp", ""), "math/vector.hpp")
+
+    def test_a_link_that_leads_nowhere(self):
+        self.assert_refused(lambda text: text + "[x](math/tensor.hpp)", "math/tensor.hpp")
+
+    def test_a_header_that_the_map_has_twice(self):
+        self.assert_refused(lambda text: text + "[x](math/vector.hpp)", "math/vector.hpp")
+
+
+if __name__ == "__main__":
+    users = collections.defaultdict(list)
+    for a, b in sorted(arrows()):
+        users[a].append(b)
+    for name, used in users.items():
+        print(f"{name:18} -> {' '.join(other for other in used if other != name)}")
+    unittest.main()

@@ -1,0 +1,59 @@
+"""The figures of the book and the slides: figures.toml says which there are."""
+
+import shutil
+import tomllib
+from pathlib import Path
+
+from compare.stages import Failure
+from tools.weave import diagrams, diagrams_of_paths  # noqa: F401, they register
+from tools.weave.drawing import draw
+from tools.weave.renders import Render
+
+
+class Figures:
+    def __init__(self, folder):
+        self.folder = folder
+        self.folder.mkdir(parents=True, exist_ok=True)
+        entries = tomllib.loads(Path(__file__).with_suffix(".toml").read_text())["figure"]
+        self.entries = {entry["name"]: entry for entry in entries}
+        if len(self.entries) != len(entries):
+            raise Failure("figures.toml: a name stands there twice")
+
+    def entry(self, name):
+        if name not in self.entries:
+            raise Failure(f"figure '{name}' is not in figures.toml")
+        return self.entries[name]
+
+    def renders(self, entry):
+        return [
+            Render(
+                panel.get("stage", entry.get("stage")),
+                panel.get("scene", entry.get("scene")),
+                (entry.get("options", "") + " " + panel.get("options", "")).split(),
+                [*entry.get("replace", ()), *panel.get("replace", ())],
+            )
+            for panel in entry.get("panels", [])
+        ]
+
+    def files(self, name):
+        """Makes the figure's pictures in `folder`, and returns their names."""
+        entry = self.entry(name)
+        if "panels" not in entry:
+            drawing = draw(name)
+            (self.folder / f"{name}.svg").write_text(drawing)
+            return [f"{name}.svg"]
+        made = []
+        for number, render in enumerate(self.renders(entry), 1):
+            file = f"{name}-{number}.png"
+            shutil.copy(render.picture(), self.folder / file)
+            made.append(file)
+        return made
+
+    def facts(self, entry):
+        """What all panels share, and their commands."""
+        renders = self.renders(entry)
+        if not renders:
+            return "", []
+        lists = [render.facts() for render in renders]
+        shared = [f for f in lists[0] if all(f in other for other in lists)]
+        return ", ".join(shared), [render.command() for render in renders]
