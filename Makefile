@@ -18,7 +18,7 @@ scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
   signatures diff null-test bench-compare setup-bench format clean $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
-# All Python here finds the tree at the folder that make runs in.
+# Where the Python programs look for what was built.
 export LIGHTWALK_BUILD := $(abspath $(BUILD))
 
 .DEFAULT_GOAL := picture
