@@ -142,7 +142,7 @@ bench-peers: build $(BUILD)/bench-venv/made
 format: $(BUILD)/venv/made
 	@git ls-files '*.hpp' '*.cpp' | xargs $(BUILD)/venv/bin/clang-format \
 	  $(if $(CHECK),--dry-run --Werror,-i)
-	@$(BUILD)/venv/bin/ruff format --quiet $(if $(CHECK),--diff) .
+	@$(BUILD)/venv/bin/ruff format --quiet --no-cache $(if $(CHECK),--diff) .
 
 clean:
 	@cmake -E rm -rf $(BUILD)
