@@ -1,7 +1,7 @@
 #!/bin/sh
 # diff.sh A B SCENE: renders and compares. A and B are stages (stage3), images
-# (.exr, .pfm), or any program with the stages' command line. What they are
-# rendered with beyond that is in OPTIONS, such as "--spp 64 --max-bounces 8".
+# (.exr, .pfm, .ppm), or any program with the stages' command line. What they
+# are rendered with beyond that is in OPTIONS, such as "--spp 64".
 set -eu
 build=${BUILD:-build}
 a=${1:?A is missing: a stage, an image or a program}
@@ -13,7 +13,7 @@ mkdir -p "$build/diff"
 # if NAME is not an image itself.
 image_of() {
   case $1 in
-    *.exr | *.pfm) echo "$1"; return ;;
+    *.exr | *.pfm | *.ppm) echo "$1"; return ;;
     stage[1-9]) program=$build/$1 ;;
     */*) program=$1 ;;
     *) program=./$1 ;;

@@ -22,14 +22,18 @@ struct CannotCompare : std::runtime_error {
 
 RenderResult read(const std::string& path) {
   const std::string format = ending(path);
-  if (format != ".exr" && format != ".pfm") {
-    throw CannotCompare(path + ": only .exr and .pfm hold radiance");
+  if (format != ".exr" && format != ".pfm" && format != ".ppm") {
+    throw CannotCompare(path + ": only .exr, .pfm and .ppm hold radiance");
   }
   RenderResult result;
   try {
     result = read_image(path);
   } catch (const std::exception& error) {
     throw CannotCompare(path + ": " + error.what());
+  }
+  if (!result.note.empty()) {
+    std::fprintf(stderr, "stage-diff: %s\n",
+                 one_line(path + ": " + result.note).c_str());
   }
   for (const Image* image : {&result.radiance, &result.variance}) {
     for (std::size_t i = 0; i < image->pixels.size(); ++i) {
@@ -43,8 +47,10 @@ RenderResult read(const std::string& path) {
   return result;
 }
 
+/// One sample has no variance: the zeros in such a file say nothing.
 bool has_variance(const RenderResult& result) {
-  return !result.variance.pixels.empty() && result.info.samples_per_pixel > 0;
+  return !result.variance.pixels.empty() &&
+         result.info.samples_per_pixel >= 2;
 }
 
 std::string size_of(const RenderResult& result) {
@@ -52,17 +58,31 @@ std::string size_of(const RenderResult& result) {
          std::to_string(result.radiance.height);
 }
 
-/// An image without variance is taken to be as noisy as the other.
+/// Why neither image says how noisy it is.
+std::string no_variance(const std::string& a_path, const RenderResult& a,
+                        const std::string& b_path, const RenderResult& b) {
+  const auto why = [](const std::string& path, const RenderResult& image) {
+    return path + (image.info.samples_per_pixel > 0
+                       ? ": one sample per pixel has no variance"
+                       : ": it has no variance");
+  };
+  return "cannot compare: " + why(a_path, a) + "; " + why(b_path, b) +
+         "; at least one of them must be an .exr of two samples or more, or "
+         "nobody can say what is noise";
+}
+
+/// An image without variance is taken to be as noisy as the other: a sample
+/// of it if its samples are counted, and else the picture.
 void borrow_variance(const std::string& path, RenderResult& poor,
                      const RenderResult& rich) {
   if (has_variance(poor)) return;
+  const bool counted = poor.info.samples_per_pixel > 0;
   poor.variance = rich.variance;
-  poor.info.samples_per_pixel = rich.info.samples_per_pixel;
-  std::fprintf(
-      stderr,
-      "stage-diff: %s has no variance: it is taken to be as noisy as "
-      "the other\n",
-      path.c_str());
+  if (!counted) poor.info.samples_per_pixel = rich.info.samples_per_pixel;
+  std::fprintf(stderr,
+               "stage-diff: %s has no variance: %s taken to be as noisy as "
+               "the other\n",
+               path.c_str(), counted ? "a sample of it is" : "it is");
 }
 
 void warn_of_other_settings(const RenderInfo& a, const RenderInfo& b) {
@@ -120,6 +140,13 @@ double critical_z(std::size_t count) {
   return z;
 }
 
+/// A number for people. What no number can say, a quotient by zero, is "-".
+std::string figure(const char* format, double x) {
+  char text[400];
+  std::snprintf(text, sizeof text, format, x);
+  return std::isfinite(x) ? text : "-";
+}
+
 /// A number as JSON has it: what is not finite is null.
 std::string json_number(double x) {
   char text[32];
@@ -158,10 +185,7 @@ int compare(const std::string& a_path, const std::string& b_path,
                         ", " + b_path + " is " + size_of(b));
   }
   if (!has_variance(a) && !has_variance(b)) {
-    throw CannotCompare(
-        "neither image has a variance, so nobody can say what is noise: "
-        "write "
-        "at least one of them as .exr");
+    throw CannotCompare(no_variance(a_path, a, b_path, b));
   }
   borrow_variance(a_path, a, b);
   borrow_variance(b_path, b, a);
@@ -186,6 +210,7 @@ int compare(const std::string& a_path, const std::string& b_path,
     panels.radiance = difference_picture(a, b);
     ToneMapping as_it_is;
     as_it_is.steps.clear();
+    as_it_is.gamma_before = 2.2f;
     try {
       write_image(picture, panels, as_it_is);
     } catch (const std::exception& error) {
@@ -196,17 +221,22 @@ int compare(const std::string& a_path, const std::string& b_path,
     print_json(same, totals, verdict, worst, bands.z_critical);
     return same ? 0 : 1;
   }
+  const auto place =
+      place_of(worst.region, b.radiance.width, b.radiance.height);
   std::printf("%s\n", verdict.c_str());
-  std::printf("mean A/B  red %.4f  green %.4f  blue %.4f\n", totals.ratio[0],
-              totals.ratio[1], totals.ratio[2]);
-  std::printf("RMSE %.4g   relative MSE %.4g\n", totals.rmse,
-              totals.relative_mse);
-  std::printf("variance A/B %.3f\n", variance_ratio(a, b));
-  std::printf(
-      "largest z %.2f of %zu regions, at %s; %.2f would differ\n", worst.z,
-      all.size(),
-      place_of(worst.region, b.radiance.width, b.radiance.height).c_str(),
-      bands.z_critical);
+  std::printf("mean A/B  red %s  green %s  blue %s\n",
+              figure("%.4f", totals.ratio[0]).c_str(),
+              figure("%.4f", totals.ratio[1]).c_str(),
+              figure("%.4f", totals.ratio[2]).c_str());
+  std::printf("RMSE %s   relative MSE %s\n",
+              figure("%.4g", totals.rmse).c_str(),
+              figure("%.4g", totals.relative_mse).c_str());
+  std::printf("variance A/B %s\n",
+              figure("%.3f", variance_ratio(a, b)).c_str());
+  std::printf("largest z %s of %zu regions, at %s; %.2f would differ\n",
+              std::isfinite(worst.z) ? figure("%.2f", worst.z).c_str()
+                                     : "beyond measure (there is no noise)",
+              all.size(), place.c_str(), bands.z_critical);
   return same ? 0 : 1;
 }
 
@@ -217,7 +247,7 @@ int main(int argc, char** argv) {
   bool json = false;
   CLI::App app("Are two renders the same picture, but for their noise?",
                "stage-diff");
-  app.add_option("A", a, "Image (.exr or .pfm)")->required();
+  app.add_option("A", a, "Image (.exr, .pfm or .ppm)")->required();
   app.add_option("B", b, "Image to compare with, the reference")->required();
   app.add_option("-o,--output", picture,
                  "One picture of both, their difference and z (.png)")

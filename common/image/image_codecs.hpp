@@ -1,6 +1,6 @@
 #pragma once
 
-// The small interface to OpenImageIO, which one compiled file implements. It
+// The small interface to OpenImageIO, which few compiled files implement. It
 // is loaded when the first image needs it: at the start of every program it
 // would cost a second.
 
@@ -21,15 +21,18 @@ namespace lightwalk {
 /// Each function returns what went wrong, or an empty string.
 struct ImageCodecs {
   std::string (*write_exr)(const std::string& path, const RenderResult&);
-  /// Eight bits a channel; the image is already in [0, 1].
-  std::string (*write_png)(const std::string& path, const Image&);
-  /// Reads the part `radiance`, or the only part, and `variance` if present.
+  /// Eight bits a channel; the image is already in [0, 1], and light to the
+  /// power of 1 / `gamma`.
+  std::string (*write_png)(const std::string& path, const Image&,
+                           float gamma);
+  /// Reads the channels R, G, B, and the layer `variance` if there is one;
+  /// of files with other layers, one that is called like a picture.
   std::string (*read_exr)(const std::string& path, RenderResult&);
   /// Eight or sixteen bits a channel, to values in [0, 1], as they are
-  /// stored.
+  /// stored, whatever the alpha; upright.
   std::string (*read_png)(const std::string& path, Image&);
-  /// Colors as they are stored, in 8 bits; grey becomes three equal
-  /// channels.
+  /// Colors as they are stored, in 8 bits, whatever the alpha; grey becomes
+  /// three equal channels. Upright, as EXIF's orientation asks.
   std::string (*read_texture)(const std::string& path, Texture&);
 };
 

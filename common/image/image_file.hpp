@@ -107,8 +107,9 @@ inline void write_image(const std::string& path, const RenderResult& result,
     if (format == ".exr") {
       check(need_image_codecs().write_exr(unfinished, result));
     } else if (format == ".png") {
-      check(need_image_codecs().write_png(
-          unfinished, tone_map(result.radiance, mapping)));
+      check(need_image_codecs().write_png(unfinished,
+                                          tone_map(result.radiance, mapping),
+                                          encoding_gamma(mapping)));
       check_png_is_whole(unfinished);
     } else if (format == ".pfm") {
       write_bytes(unfinished, encode_pfm(result.radiance));
@@ -146,7 +147,9 @@ inline RenderResult read_image(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(file), {});
   if (!file) throw ImageError("it cannot be read");
-  result.radiance = format == ".pfm" ? decode_pfm(bytes) : decode_ppm(bytes);
+  result.radiance = format == ".pfm"
+                        ? decode_pfm(bytes)
+                        : decode_ppm_with_note(bytes, result.note);
   return result;
 }
 

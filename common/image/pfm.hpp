@@ -29,6 +29,24 @@ inline std::string encode_pfm(const Image& image) {
   return bytes;
 }
 
+/// Where the pixels begin: behind the white space after the scale, which ends
+/// at `after`. It is one character, but programs for Windows end the line
+/// with two, CR and LF, and some leave blanks before them.
+inline std::size_t pfm_start(const std::string& bytes, std::size_t after,
+                             std::size_t count) {
+  std::size_t end = after;
+  while (end < bytes.size() && (bytes[end] == ' ' || bytes[end] == '\t')) {
+    ++end;
+  }
+  if (end < bytes.size() && bytes[end] == '\r') ++end;
+  const bool is_line = end < bytes.size() && bytes[end] == '\n';
+  // Where the file is just so long that one character was meant, the others
+  // are pixels.
+  const bool one = bytes.size() == after + 1 + count;
+  return is_line && !one && bytes.size() - end - 1 >= count ? end + 1
+                                                            : after + 1;
+}
+
 /// Reads both byte orders, color (`PF`) and grey (`Pf`).
 inline Image decode_pfm(const std::string& bytes) {
   std::istringstream header(bytes.substr(0, 200));
@@ -37,17 +55,22 @@ inline Image decode_pfm(const std::string& bytes) {
   double scale = 0;
   header >> magic >> width >> height >> scale;
   if (!header || (magic != "PF" && magic != "Pf") || scale == 0) {
-    throw ImageError("it is not a PFM file");
+    throw ImageError(
+        "it is not a PFM file, which begins with PF or Pf, width, height, "
+        "and "
+        "a scale that is not 0");
   }
-  header.get();  // the one white-space character after the scale
   const std::size_t channels = magic == "PF" ? 3 : 1;
   if (width < 1 || height < 1 || width > 65536 || height > 65536) {
     throw ImageError("its header claims " + std::to_string(width) + " x " +
                      std::to_string(height) + " pixels");
   }
-  const auto start = static_cast<std::size_t>(header.tellg());
   const auto count =
       static_cast<std::size_t>(width * height) * channels * sizeof(float);
+  const std::size_t start =
+      header.eof()
+          ? bytes.size() + 1
+          : pfm_start(bytes, static_cast<std::size_t>(header.tellg()), count);
   if (start > bytes.size() || bytes.size() - start < count) {
     throw ImageError("it is cut off: " + std::to_string(bytes.size()) +
                      " bytes, and its header promises " +

@@ -47,7 +47,12 @@ class PpmWords {
   explicit PpmWords(const std::string& text)
       : next_(text.data()), end_(next_ + text.size()) {}
 
+  /// The value of the largest number; 1 where no comment has said it.
   float max() const { return max_; }
+  bool has_max() const { return has_max_; }
+
+  /// From here on a comment with `#MAX=` comes too late.
+  void begin_pixels() { in_pixels_ = true; }
 
   std::string_view word() {
     for (; next_ < end_ && (is_space(*next_) || *next_ == '#');) {
@@ -83,25 +88,58 @@ class PpmWords {
     return c == ' ' || (c >= '\t' && c <= '\r');
   }
 
+  /// Takes `#MAX=2.5`, in small letters and with blanks too. What nearly is
+  /// one is refused: without its MAX a picture has other values.
   void comment() {
     const char* begin = next_;
-    while (next_ < end_ && *next_ != '\n') ++next_;
+    while (next_ < end_ && *next_ != '\n' && *next_ != '\r') ++next_;
     const std::string text(begin, next_);
-    if (text.rfind("#MAX=", 0) != 0) return;
-    char* after = nullptr;
-    max_ = std::strtof(text.c_str() + 5, &after);
-    if (after == text.c_str() + 5 || !(max_ > 0) || !std::isfinite(max_)) {
-      throw ImageError("its comment '" + text.substr(0, 40) +
-                       "' does not give a number above 0");
+    std::size_t at = 1;
+    const auto skip_blanks = [&] {
+      while (at < text.size() && (text[at] == ' ' || text[at] == '\t')) ++at;
+    };
+    skip_blanks();
+    std::string key;
+    for (; at < text.size() && is_letter(text[at]); ++at) {
+      key += static_cast<char>(text[at] | 0x20);
     }
+    if (key.rfind("max", 0) != 0) return;
+    skip_blanks();
+    const char next = at < text.size() ? text[at] : ' ';
+    const bool number = next == '.' || (next >= '0' && next <= '9');
+    if (next != '=' && next != ':' && !(key == "max" && number)) return;
+    const std::string quoted = "its comment '" + text.substr(0, 40) + "'";
+    if (next != '=' || key != "max") {
+      throw ImageError(quoted + " is not understood: expected is #MAX=2.5");
+    }
+    if (in_pixels_) throw ImageError(quoted + " comes after the first pixel");
+    if (has_max_) throw ImageError(quoted + " is its second of this kind");
+    ++at;
+    skip_blanks();
+    const char* first = text.c_str() + at;
+    char* after = nullptr;
+    max_ = std::strtof(first, &after);
+    const bool empty = after == first;
+    while (*after == ' ' || *after == '\t') ++after;
+    if (empty || *after || !(max_ > 0) || !std::isfinite(max_)) {
+      throw ImageError(quoted + " does not give a number above 0");
+    }
+    has_max_ = true;
+  }
+
+  static bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
   }
 
   const char* next_;
   const char* end_;
   float max_ = 1;
+  bool has_max_ = false, in_pixels_ = false;
 };
 
-inline Image decode_ppm(const std::string& text) {
+/// Sets `note` for a file that does not say what its numbers stand for.
+inline Image decode_ppm_with_note(const std::string& text,
+                                  std::string& note) {
   PpmWords words(text);
   if (words.word() != "P3")
     throw ImageError("it is not a plain PPM (P3) file");
@@ -122,9 +160,12 @@ inline Image decode_ppm(const std::string& text) {
                      std::to_string(height) + " pixels");
   }
   Image image(static_cast<int>(width), static_cast<int>(height));
+  bool first = true;
   for (Vec3& pixel : image.pixels) {
     for (int c = 0; c < 3; ++c) {
       const long long value = words.number("a pixel");
+      if (first) words.begin_pixels();
+      first = false;
       if (value < 0 || value > resolution) {
         throw ImageError("a pixel is " + std::to_string(value) +
                          ", outside 0 to " + std::to_string(resolution));
@@ -134,7 +175,16 @@ inline Image decode_ppm(const std::string& text) {
                                     static_cast<double>(resolution));
     }
   }
+  words.word();  // a comment at the end is read too
+  if (!words.has_max()) {
+    note = "has no comment #MAX=, so its largest number is taken to be 1";
+  }
   return image;
+}
+
+inline Image decode_ppm(const std::string& text) {
+  std::string note;
+  return decode_ppm_with_note(text, note);
 }
 
 }  // namespace lightwalk

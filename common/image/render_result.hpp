@@ -36,6 +36,8 @@ struct RenderResult {
   Image radiance;
   Image variance;
   RenderInfo info;
+  /// What its reader should say about a file that left a choice.
+  std::string note = {};
 };
 
 }  // namespace lightwalk

@@ -28,6 +28,7 @@ struct ToneMapping {
   float exposure = 0;  ///< in stops, before the steps: x 2^exposure
   std::vector<ToneStep> steps{ToneStep::equalize, ToneStep::gamma};
   float gamma = 2.2f;
+  float gamma_before = 1;  ///< by which the image is raised already
 };
 
 /// The largest channel of all pixels; 0 for an image without light.
@@ -68,6 +69,16 @@ inline Image tone_map(Image image, const ToneMapping& mapping) {
   for (const ToneStep step : mapping.steps) apply(step, mapping.gamma, image);
   apply(ToneStep::clamp, mapping.gamma, image);
   return image;
+}
+
+/// How the image's values stand for light: as light to the power of one over
+/// this. PNG files say it, so that viewers know the curve.
+inline float encoding_gamma(const ToneMapping& mapping) {
+  float gamma = mapping.gamma_before;
+  for (const ToneStep step : mapping.steps) {
+    if (step == ToneStep::gamma) gamma *= mapping.gamma;
+  }
+  return gamma;
 }
 
 }  // namespace lightwalk

@@ -75,7 +75,7 @@ template <class Value>
 void choose_among(CLI::Option* option,
                   std::vector<std::pair<std::string, Value>> names) {
   // CLI::CheckedTransformer would also take the numbers behind the names.
-  option->transform(CLI::Transformer(names))
+  option->transform(CLI::Transformer(names).description(""))
       ->transform(CLI::IsMember(std::move(names)));
 }
 
@@ -105,7 +105,8 @@ void add_render_options(CLI::App& app, int most_bounces, Options& options) {
       ->check(CLI::Range(0, 1024));
   add_parsed(app, "--size", options.size, size_of,
              "a size like 128x128, each from 1 to 65536",
-             "Columns x rows, like 128x128 [scene's]");
+             "Columns x rows, like 128x128 [scene's]")
+      ->type_name("WxH");
   choose_among<Sampling>(
       app.add_option("--sampling", options.sampling,
                      "How diffuse directions are drawn: cosine or uniform "
@@ -118,8 +119,8 @@ void add_tone_options(CLI::App& app, std::vector<ToneStep>& steps,
                       std::optional<float>& gamma, float& exposure) {
   choose_among<ToneStep>(
       app.add_option("--tone-map", steps,
-                     "For .png, steps in order: clamp, equalize, gamma, "
-                     "reinhard [equalize,gamma]")
+                     "For .png, steps in order, like --tone-map clamp,gamma: "
+                     "clamp, equalize, gamma, reinhard [equalize,gamma]")
           ->delimiter(',')
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
           ->allow_extra_args(false),
@@ -170,6 +171,7 @@ std::optional<int> parse_options(int argc, char** argv,
       });
   app.add_option("--report", options.report,
                  "What was rendered and how fast, for programs (.json)")
+      ->type_name("FILE")
       ->check([](const std::string& path) {
         return ending(path) == ".json" ? std::string()
                                        : "'" + path + "' is not a .json";
@@ -178,8 +180,9 @@ std::optional<int> parse_options(int argc, char** argv,
   CLI::Option* const pixel =
       add_parsed(app, "--pixel", options.pixel, pixel_of,
                  "a pixel like 120,80, from 0,0 on",
-                 "Tell one path of the pixel column,row, vertex by vertex; "
-                 "no image is written");
+                 "Tell one path of the pixel at column X, row Y, vertex by "
+                 "vertex; no image is written")
+          ->type_name("X,Y");
   std::uint32_t sample = 0;
   app.add_option("--sample", sample, "Which of the pixel's paths [0]")
       ->check(CLI::Range(0, 999'999'999))

@@ -142,11 +142,10 @@ std::string event_of(const PathVertex& vertex, const Vec3& wi) {
                                : "specular or total internal";
 }
 
-std::string what_was_added(const PathVertex& vertex, const Vec3& added) {
-  if (!vertex.material.emits()) return "direct light";
-  if (!is_black(added)) return "emission";
-  return is_outside(vertex) ? "this lamp was counted at the vertex before"
-                            : "its back: black";
+/// Why the path ends at a lamp and adds nothing.
+std::string why_nothing(const PathVertex& lamp) {
+  return is_outside(lamp) ? "this lamp was counted at the vertex before"
+                          : "its back is black";
 }
 
 std::string end_of_path(const PathVertex& vertex, int max_bounces) {
@@ -204,7 +203,7 @@ class Story {
     for (const ShadowRay& shadow : vertex.shadow_rays) {
       text += line("light", place(shadow.ray.direction),
                    print("at %.4g: ", static_cast<double>(shadow.distance)) +
-                       (shadow.reached ? "reached" : "something is between"));
+                       (shadow.reached ? "reached" : "blocked"));
     }
     text += addition(i);
     for (const Branch& branch : branches_[i]) text += step(vertex, branch);
@@ -221,10 +220,12 @@ class Story {
     const Vec3& after =
         i + 1 < vertices_.size() ? vertices_[i + 1].sum : radiance_;
     const Vec3 added = after - before;
-    const bool has_reason =
-        vertices_[i].material.emits() || !vertices_[i].shadow_rays.empty();
-    if (is_black(added) && !has_reason) return "";
-    return line("adds", color(added), what_was_added(vertices_[i], added)) +
+    const bool emits = vertices_[i].material.emits();
+    if (is_black(added)) {
+      if (emits) return line("adds", "nothing: " + why_nothing(vertices_[i]));
+      if (vertices_[i].shadow_rays.empty()) return "";
+    }
+    return line("adds", color(added), emits ? "emission" : "direct light") +
            line("sum", color(after));
   }
 

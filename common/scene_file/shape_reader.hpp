@@ -2,6 +2,8 @@
 
 // The [[shapes]] of a scene file.
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "common/scene_file/loaded_scene.hpp"
@@ -88,10 +90,15 @@ class ShapeReader {
     const Vec3 corner = table.vector("corner");
     unit(table, "edge_u");
     unit(table, "edge_v");
+    const std::string what = "the rectangle's edges";
+    const glm::dvec3 u = table.vector("edge_u"), v = table.vector("edge_v");
+    if (!(length(glm::cross(u, v)) > 1e-6 * length(u) * length(v))) {
+      fail_at(node, what + " lie on one line: they span no area");
+    }
     const Rectangle rectangle(corner, table.vector("edge_u"),
                               table.vector("edge_v"),
                               materials_.named_by(table));
-    check_area(node, "the rectangle's edges", rectangle);
+    check_area(node, what, rectangle);
     add(node, ShapeType::rectangle, rectangle);
   }
 
@@ -109,11 +116,42 @@ class ShapeReader {
     for (std::size_t i = 0; i < 3; ++i) {
       vertex[i] = read_vector(*array->get(i), "a vertex of a triangle");
     }
-    const Triangle triangle(vertex[0], vertex[1] - vertex[0],
-                            vertex[2] - vertex[0],
-                            materials_.named_by(table));
-    check_area(list, "the triangle's vertices", triangle);
+    const Material* material = materials_.named_by(table);
+    const std::string what = "the triangle's vertices";
+    const std::size_t first = first_corner(list, what, vertex, *material);
+    const Vec3& corner = vertex[first];
+    const Triangle triangle(corner, vertex[(first + 1) % 3] - corner,
+                            vertex[(first + 2) % 3] - corner, material);
+    check_area(list, what, triangle);
     add(node, ShapeType::triangle, triangle);
+  }
+
+  /// Which vertex is the corner that the edges start from. The file's first,
+  /// but for a needle: from its tip the two edges are parallel but for
+  /// rounding, so it starts opposite its longest edge, whichever vertex the
+  /// file begins with. Not where a pattern may follow the edges.
+  static std::size_t first_corner(const toml::node& node,
+                                  const std::string& what,
+                                  const Vec3 (&vertex)[3],
+                                  const Material& material) {
+    // In double precision, where neither squares nor rounding matter.
+    const glm::dvec3 a = vertex[0], b = vertex[1], c = vertex[2];
+    const double opposite[] = {length(c - b), length(a - c), length(b - a)};
+    const auto longest =
+        std::max_element(std::begin(opposite), std::end(opposite));
+    const auto corner =
+        static_cast<std::size_t>(longest - std::begin(opposite));
+    const glm::dvec3 from = vertex[corner];
+    const glm::dvec3 normal =
+        glm::cross(glm::dvec3(vertex[(corner + 1) % 3]) - from,
+                   glm::dvec3(vertex[(corner + 2) % 3]) - from);
+    const double height = length(normal) / *longest;
+    if (!(height > 1e-7 * *longest)) {
+      fail_at(node, what + " lie on one line: they span no area");
+    }
+    const bool patterned =
+        material.varying_kd || material.varying_ks || material.varying_kt;
+    return height > 1e-3 * *longest || patterned ? 0 : corner;
   }
 
   template <class Shape>
@@ -125,11 +163,6 @@ class ShapeReader {
 
   static void check_area(const toml::node& node, const std::string& what,
                          const FlatShape& flat) {
-    // In double precision, where neither squares nor rounding matter.
-    const glm::dvec3 u = flat.edge_u, v = flat.edge_v;
-    if (!(length(glm::cross(u, v)) > 1e-6 * length(u) * length(v))) {
-      fail_at(node, what + " lie on one line: they span no area");
-    }
     if (!is_finite(flat.normal) || !is_finite(flat.dual_u()) ||
         !is_finite(flat.dual_v())) {
       fail_at(node, what + " span an area that is too small or too large");

@@ -68,20 +68,29 @@ inline float fresnel_reflectance(float cos_o, float eta_ratio) {
 // along its lower edge and $v$ upwards, both from 0 to 1.
 //
 // - A rectangle has them by its edges, and so has a triangle.
-// - A plane has no edges: two axes across its normal do, one picture a unit.
+// - A plane has no edges. There $v$ runs upwards, which is +y along a wall
+//   and +z along a floor or a ceiling, and $u$ to the right of somebody who
+//   stands before the wall, on the side of its normal. One picture a unit.
 // - A sphere is a globe with its poles up and down: $u$ is the longitude,
 //   with the middle of the picture towards -z, where the lab's camera stands,
 //   and $v$ is the latitude.
 
 // #region texture-coordinates
+/// (u, v) on a plane with this unit normal.
+inline Vec2 plane_coordinates(const Vec3& normal, const Vec3& position) {
+  const bool is_level = std::abs(normal.x) + std::abs(normal.z) < 1e-4f;
+  const Vec3 up = is_level ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+  const Vec3 v = normalize(up - dot(up, normal) * normal);
+  const Vec3 u = cross(normal, v);
+  return {dot(u, position), dot(v, position)};
+}
+
 /// (u, v) of a hit. In [0, 1]^2 but for planes, which have no end.
 inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
   const Geometry& shapes = scene.geometry;
   switch (hit.shape_type) {
-    case ShapeType::plane: {
-      const Vec3 local = Basis(hit.normal).to_local(hit.position);
-      return {local.x, local.y};
-    }
+    case ShapeType::plane:
+      return plane_coordinates(hit.normal, hit.position);
     case ShapeType::sphere: {
       const Vec3& n = hit.normal;
       const float longitude = std::atan2(n.x, -n.z);

@@ -84,7 +84,62 @@ class StageDiff(programs.InFolder):
         result = self.diff(pfm, exr)
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertIn("a.pfm has no variance", result.stderr)
-        self.check_cannot(pfm, pfm, "neither image has a variance")
+        self.check_cannot(pfm, pfm, "cannot compare: ", "a.pfm: it has no variance")
+
+    def test_one_sample_per_pixel_has_no_variance(self):
+        a = self.render("a.exr", "--spp", "1")
+        b = self.render("b.exr", "--spp", "1", "--seed", "2")
+        words = "one sample per pixel has no variance"
+        self.check_cannot(a, b, "cannot compare: ", f"a.exr: {words}", f"b.exr: {words}")
+        pfm = self.render("c.pfm", "--spp", "1")
+        self.check_cannot(a, pfm, f"a.exr: {words}", "c.pfm: it has no variance")
+
+    def test_one_sample_beside_many_borrows_their_variance(self):
+        many = self.render("many.exr", "--spp", "1024")
+        for name in ("few.exr", "few.pfm"):
+            few = self.render(name, "--spp", "1", "--seed", "2")
+            for a, b in ((few, many), (many, few)):
+                result = self.diff(a, b)
+                self.assertIn(f"{name} has no variance: ", result.stderr)
+                if name == "few.exr":
+                    self.assertEqual(result.returncode, 0, result.stdout)
+
+    def test_the_courses_ppm(self):
+        exr = self.render("b.exr")
+        ppm = self.render("a.ppm", "--seed", "2")
+        result = self.diff(ppm, exr)
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn("a.ppm has no variance", result.stderr)
+        ppm.write_text(ppm.read_text().replace("#MAX=", "# max = "))
+        self.assertEqual(self.diff(ppm, exr).returncode, 0)
+        lines = ppm.read_text().split("\n")
+        ppm.write_text("\n".join(lines[:1] + lines[2:]))
+        self.assertIn("a.ppm: has no comment #MAX=", self.diff(ppm, exr).stderr)
+
+    def test_a_pfm_with_cr_lf(self):
+        exr = self.render("b.exr")
+        pfm = self.render("a.pfm", "--seed", "2")
+        expected = self.diff(pfm, exr).stdout
+        magic, size, scale, data = pfm.read_bytes().split(b"\n", 3)
+        pfm.write_bytes(b"\r\n".join((magic, size, scale, data)))
+        self.assertEqual(self.diff(pfm, exr).stdout, expected)
+
+    def test_which_layer_is_taken_is_said(self):
+        layers = programs.ROOT / "tests" / "core" / "pictures" / "layers.exr"
+        result = self.diff(layers, layers)
+        self.assertEqual(result.returncode, 2)
+        note = "takes ViewLayer.Combined of ViewLayer.Albedo, ViewLayer.Combined"
+        self.assertIn(f"layers.exr: {note}\n", result.stderr)
+
+    def test_no_figure_is_without_a_value(self):
+        """Black has no ratio, and without noise no difference has a z."""
+        black = self.render("a.exr", "--max-bounces", "0", scene=self.changed("ke = 1", "kd = 1"))
+        lamp = self.render("b.exr", "--max-bounces", "0")
+        for a, b in ((black, black), (black, lamp), (lamp, black), (lamp, lamp)):
+            for options in ((), ("--json",)):
+                result = self.diff(a, b, *options)
+                self.assertEqual(result.returncode, 0 if a == b else 1)
+                self.assertNotRegex(result.stdout + result.stderr, r"(?i)\b(nan|inf)")
 
     def test_json(self):
         a, b = self.render("a.exr", "--seed", "2"), self.render("b.exr")
@@ -147,9 +202,9 @@ class StageDiff(programs.InFolder):
     def test_other_files(self):
         good = self.render("b.exr")
         self.check_cannot(self.folder / "missing.exr", good, "no such file")
-        self.check_cannot(self.folder, good, "only .exr and .pfm")
+        self.check_cannot(self.folder, good, "only .exr, .pfm and .ppm")
         png = self.render("a.png")
-        self.check_cannot(png, good, "only .exr and .pfm hold radiance")
+        self.check_cannot(png, good, "only .exr, .pfm and .ppm hold radiance")
 
     def test_wrong_usage(self):
         self.assertEqual(programs.run("stage-diff").returncode, 2)

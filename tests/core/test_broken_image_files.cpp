@@ -70,7 +70,7 @@ TEST_CASE("files that are empty, cut off or text are refused with a reason") {
         "its name ends in none of .exr, .png, .pfm, .ppm");
 }
 
-// The data window of the first part, made a million pixels wide and high.
+// The data window, made a million pixels wide and high.
 TEST_CASE("an EXR header that claims too much is refused, not allocated") {
   const TemporaryFolder folder;
   const std::string path = folder / "a.exr";

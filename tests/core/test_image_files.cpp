@@ -36,22 +36,6 @@ TEST_CASE("an EXR file gives back all that is said about the picture") {
   CHECK(read.version == written.version);
 }
 
-// The names are in the file's headers, each as text after its attribute's
-// name, type and length.
-TEST_CASE("the two parts of an EXR file are named radiance and variance") {
-  const TemporaryFolder folder;
-  write_image(folder / "a.exr", picture(), {});
-  const std::string bytes = bytes_of(folder / "a.exr");
-  const auto name = [](const std::string& value) {
-    return std::string("name\0string\0\x08\0\0\0", 16) + value;
-  };
-  const std::size_t first = bytes.find(name("radiance"));
-  const std::size_t second = bytes.find(name("variance"));
-  CHECK(first != std::string::npos);
-  CHECK(second != std::string::npos);
-  CHECK(first < second);
-}
-
 TEST_CASE("equal renders are equal files") {
   const TemporaryFolder folder;
   for (const std::string ending : endings) {

@@ -202,11 +202,17 @@ TEST_CASE("no light leaks under a ball that stands on the floor") {
             {-0.5f, -1 - floor_radius, 0.25f}, floor_radius, &material});
       }
     };
-    // The floor by itself says where it is hit; the ball is in the way up.
-    Geometry floor, both;
+    // One by itself says where it is hit; the other is then in the way.
+    const Sphere standing{{-0.5f, -1 + r, 0.25f}, r, &material};
+    Geometry floor, ball, both;
     add_floor(floor);
+    ball.add(standing);
     add_floor(both);
-    both.add(Sphere{{-0.5f, -1 + r, 0.25f}, r, &material});
+    both.add(standing);
+    // Slots are counted in each geometry for itself.
+    const auto on_top = both.nearest_hit({{-0.5f, 1, 0.25f}, {0, -1, 0}});
+    REQUIRE(on_top);
+    const std::int32_t ball_slot = on_top->slot;
     for (const float share : {0.001f, 0.01f, 0.02f, 0.05f, 0.2f, 0.9f}) {
       for (int i = 0; i < 16; ++i) {
         const float phi = two_pi * static_cast<float>(i) / 16;
@@ -219,6 +225,12 @@ TEST_CASE("no light leaks under a ball that stands on the floor") {
         const auto hit = floor.nearest_hit({above, {0, -1, 0}});
         REQUIRE(hit);
         CHECK(both.occluded(spawn_ray(*hit, {0, 1, 0}), 5));
+
+        // And the other way: from the ball down to the floor.
+        auto under = ball.nearest_hit({point - Vec3(0, 0.5f, 0), {0, 1, 0}});
+        REQUIRE(under);
+        under->slot = ball_slot;
+        CHECK(both.occluded(spawn_ray(*under, {0, -1, 0}), 0.5f));
       }
     }
   }

@@ -105,6 +105,29 @@ TEST_CASE("PFM files of the other byte order and grey ones are read") {
   CHECK(grey.at(1, 0) == Vec3(7));
 }
 
+// The white space behind the scale is one character, or the end of a line.
+// Where the file's size leaves no room for the end of a line, what looks like
+// it is a pixel.
+TEST_CASE("PFM headers may have blanks, and lines that end in CR LF") {
+  const std::string pixels = floats({1.5f, 2, 3, 4, 5, 6});
+  for (const char* header :
+       {"PF\r\n2 1\r\n-1.0\r\n", "PF\n2 1\n-1.0 \n", "PF 2 1 -1 ",
+        "PF\n2\n1\n-1.0\t \r\n", "PF\n\n2  1\n-1\r", "PF\n2 1\n-1\n"}) {
+    CAPTURE(header);
+    for (const char* trailing : {"", "\n", "more"}) {
+      const Image image = decode_pfm(header + pixels + trailing);
+      CHECK(image.at(0, 0) == Vec3(1.5f, 2, 3));
+      CHECK(image.at(1, 0) == Vec3(4, 5, 6));
+    }
+  }
+  for (const std::string first : {"\n", "\r\n", " \n"}) {
+    const std::string raw =
+        (first + floats({1, 2, 3})).substr(0, 3 * sizeof(float));
+    const Image image = decode_pfm("PF\n1 1\n-1.0\r" + raw);
+    CHECK(std::memcmp(&image.at(0, 0), raw.data(), raw.size()) == 0);
+  }
+}
+
 TEST_CASE("broken PFM files are refused with the reason") {
   const std::string good = encode_pfm(random_image(4, 4, 1));
   for (std::size_t size = 0; size < good.size(); ++size) {
@@ -180,6 +203,46 @@ TEST_CASE("PPM files are read however they are laid out") {
       Vec3(0, 0.5f, 1));
   CHECK(decode_ppm("P3\n#MAX=1e-3\n1 1\n1\n1 1 0").at(0, 0) ==
         Vec3(1e-3f, 1e-3f, 0));
+}
+
+TEST_CASE("#MAX is read however its letters and blanks are") {
+  for (const char* comment :
+       {"#MAX=2.5", "# MAX=2.5", "#max=2.5", "#MAX =2.5", "# Max = 2.5 ",
+        "#\tMAX\t=\t2.5\t", "#MAX=2.5\r"}) {
+    CAPTURE(comment);
+    std::string note;
+    const std::string text =
+        std::string("P3\n") + comment + "\n1 1\n255\n255 0 51\n";
+    const Image image = decode_ppm_with_note(text, note);
+    CHECK(image.at(0, 0) == Near{{2.5f, 0, 0.5f}, 1e-6f});
+    CHECK(note == "");
+  }
+}
+
+TEST_CASE("a comment that is nearly #MAX is refused, and others are not") {
+  const auto with_comment = [](const std::string& comment) {
+    return ppm_complaint("P3\n" + comment + "\n1 1\n255\n255 0 51\n");
+  };
+  for (const char* comment : {"#MAX:2.5", "#MAX 2.5", "#max2.5",
+                              "#MAXIMUM=2.5", "# maxval = 255"}) {
+    contains(with_comment(comment), "its comment '" + std::string(comment) +
+                                        "' is not understood: expected is "
+                                        "#MAX=2.5");
+  }
+  contains(with_comment("#MAX=2.5\n#MAX=3"), "'#MAX=3' is its second");
+  contains(with_comment("#MAX=2,5"), "does not give a number above 0");
+  for (const char* comment : {"# maximum of the scene", "# Max Planck",
+                              "# made with care", "#", "# the max = 3"}) {
+    CHECK(with_comment(comment) == "");
+  }
+  for (const char* late :
+       {"P3 1 1 1 1 #MAX=2\n1 1", "P3 1 1 1 1 1 1 #MAX=2"}) {
+    contains(ppm_complaint(late), "'#MAX=2' comes after the first pixel");
+  }
+  std::string note;
+  decode_ppm_with_note("P3 1 1 1 1 1 1", note);
+  CHECK(note ==
+        "has no comment #MAX=, so its largest number is taken to be 1");
 }
 
 TEST_CASE("broken PPM files are refused with the reason") {

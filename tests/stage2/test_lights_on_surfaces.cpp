@@ -32,9 +32,9 @@ struct Place {
 };
 
 /// A floor at y = -1, a black surface at y = 1 over it, and a light that is
-/// `above` the surface: its center, or its lowest point where it `rests`.
-Scene lit_floor(const Place& place, Cover cover, Lamp lamp, float above,
-                bool sunk = false) {
+/// `above` the surface: its center, or of a ball the point that is nearest to
+/// the surface. A ball with `above` = 0 hangs below it and touches it.
+Scene lit_floor(const Place& place, Cover cover, Lamp lamp, float above) {
   Scene scene;
   Material matte, black, shining;
   matte.kd = Vec3(0.5f);
@@ -65,7 +65,7 @@ Scene lit_floor(const Place& place, Cover cover, Lamp lamp, float above,
     const Vec3 u = 0.1f * right, v = 0.1f * onward;
     scene.add(Rectangle{center - 0.5f * (u + v), u, v, bright});
   } else {
-    const float side = sunk ? 0.0f : above > 0 ? 1.0f : -1.0f;
+    const float side = above > 0 ? 1.0f : -1.0f;
     scene.add(Sphere{center + side * lamp_radius * place.direction({0, 1, 0}),
                      lamp_radius, bright});
   }

@@ -75,6 +75,49 @@ TEST_CASE("a plane's uv are distances along two axes across its normal") {
   CHECK(glm::dot(a - b, a - c) == doctest::Approx(0).epsilon(tolerance));
 }
 
+// The lab's box has its walls one unit away, their normals towards the
+// middle, and its camera looks along +z with -x to the left and +y up. So what is on
+// the left and below in a wall's picture is at the first point here, and the
+// next two are right of it and above it, for an eye in the middle. On the
+// floor and the ceiling, above is farther from the camera.
+TEST_CASE("a picture on a plane stands upright and is not mirrored") {
+  struct Case {
+    const char* normal;
+    Vec3 low_left, right, up;
+  };
+  const Case cases[] = {
+      {"[0, 0, -1]", {-0.9f, -0.9f, 1}, {1, 0, 0}, {0, 1, 0}},  // back
+      {"[0, 0, 1]", {0.9f, -0.9f, -1}, {-1, 0, 0}, {0, 1, 0}},  // behind
+      {"[1, 0, 0]", {-1, -0.9f, -0.9f}, {0, 0, 1}, {0, 1, 0}},  // left
+      {"[-1, 0, 0]", {1, -0.9f, 0.9f}, {0, 0, -1}, {0, 1, 0}},  // right
+      {"[0, 1, 0]", {-0.9f, -1, -0.9f}, {1, 0, 0}, {0, 0, 1}},  // floor
+      {"[0, -1, 0]", {0.9f, 1, -0.9f}, {-1, 0, 0}, {0, 0, 1}},  // ceiling
+      {"[0, 1e-6, -1]", {-0.9f, -0.9f, 1}, {1, 0, 0}, {0, 1, 0}},
+      {"[1e-6, -1, 1e-6]", {0.9f, 1, -0.9f}, {-1, 0, 0}, {0, 0, 1}}};
+  for (const Case& one : cases) {
+    CAPTURE(one.normal);
+    const Scene scene = with(std::string("type = \"plane\"\nnormal = ") +
+                             one.normal + "\ndistance = 1");
+    const auto uv = [&](const Vec3& x) { return uv_at(scene, {0, 0, 0}, x); };
+    const Vec2 u = uv(one.low_left + one.right) - uv(one.low_left);
+    const Vec2 v = uv(one.low_left + one.up) - uv(one.low_left);
+    CHECK(glm::length(u - Vec2(1, 0)) < 1e-4f);
+    CHECK(glm::length(v - Vec2(0, 1)) < 1e-4f);
+  }
+}
+
+// A roof that rises at 45 degrees towards +z: v is measured along it.
+TEST_CASE("on a slope v is measured along the plane") {
+  const Scene scene =
+      with("type = \"plane\"\nnormal = [0, 1, -1]\ndistance = 1");
+  const Vec3 foot(0.2f, -1, 0);
+  const Vec2 a = uv_at(scene, {0, 0, 0}, foot);
+  const Vec2 b = uv_at(scene, {0, 0, 0}, foot + Vec3(0, 1, 1));
+  const Vec2 c = uv_at(scene, {0, 0, 0}, foot + Vec3(1, 0, 0));
+  CHECK(glm::length(b - a - Vec2(0, std::sqrt(2.0f))) < 1e-4f);
+  CHECK(glm::length(c - a - Vec2(1, 0)) < 1e-4f);
+}
+
 // Longitude 0, the middle of the map, is towards -z; east is towards +x,
 // which is to the right for a camera that looks along +z.
 TEST_CASE("a sphere is a globe: middle to -z, east to +x, north to +y") {

@@ -151,6 +151,7 @@ std::string explain(int stage, const Golden& golden,
     picture.radiance = difference_picture(comparison.test, golden.image);
     ToneMapping as_it_is;
     as_it_is.steps.clear();
+    as_it_is.gamma_before = 2.2f;
     write_image(path, picture, as_it_is);
     text +=
         "\nyours, the golden, the difference (red: too bright) and its "

@@ -1,8 +1,8 @@
 #pragma once
 
 // Glass and mirrors with thin gaps between them, in a white surround: however
-// thin a pane is, and wherever it stands, it cannot be seen. A ray that starts
-// off its surface jumps over what is thinner than the step.
+// thin a pane is, and wherever it stands, it cannot be seen. A ray that
+// starts off its surface jumps over what is thinner than the step.
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,109 @@
+#pragma once
+
+// # What PNG and JPEG files say beside their pixels
+//
+// The image library does not say two things that matter: that a JPEG ends
+// early, for its decoder fills the rest with grey and is content; and how a
+// PNG is to be turned. Both are found by walking over the file's pieces.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace lightwalk {
+
+/// What is wrong with the file, or an empty text; and EXIF's orientation.
+struct PictureFile {
+  std::string error;
+  int orientation = 1;
+};
+
+/// The whole number in some bytes; 0 where they are not all there.
+inline std::uint32_t number_at(std::string_view bytes, std::size_t at,
+                               std::size_t size, bool big_endian) {
+  if (at > bytes.size() || bytes.size() - at < size) return 0;
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t next = big_endian ? at + i : at + size - 1 - i;
+    value = value << 8 | static_cast<std::uint8_t>(bytes[next]);
+  }
+  return value;
+}
+
+/// The orientation in EXIF's data, a small TIFF file; 1 where there is none.
+inline int exif_orientation(std::string_view exif) {
+  const bool big_endian = exif.substr(0, 4) == std::string_view("MM\0*", 4);
+  if (!big_endian && exif.substr(0, 4) != std::string_view("II*\0", 4)) {
+    return 1;
+  }
+  const std::size_t table = number_at(exif, 4, 4, big_endian);
+  const std::uint32_t entries = number_at(exif, table, 2, big_endian);
+  for (std::size_t i = 0; i < entries; ++i) {
+    const std::size_t entry = table + 2 + 12 * i;
+    if (number_at(exif, entry, 2, big_endian) != 0x0112) continue;
+    const auto value =
+        static_cast<int>(number_at(exif, entry + 8, 2, big_endian));
+    return value >= 1 && value <= 8 ? value : 1;
+  }
+  return 1;
+}
+
+/// Walks over the segments of a JPEG file. Data after its end marker are
+/// allowed: telephones put films there.
+inline PictureFile inspect_jpeg(std::string_view bytes) {
+  const PictureFile cut{
+      "it is cut off: a JPEG ends with the bytes FF D9, and there are none "
+      "in its " +
+          std::to_string(bytes.size()) + " bytes",
+      1};
+  PictureFile result;
+  std::size_t at = 2;
+  while (at + 1 < bytes.size()) {
+    const auto marker = static_cast<std::uint8_t>(bytes[at + 1]);
+    // Compressed data between segments: FF 00 is a byte of them, FF FF fills,
+    // and D0 to D7 only restart the decoder.
+    if (bytes[at] != '\xff' || marker == 0 || marker == 0xff) {
+      ++at;
+      continue;
+    }
+    if (marker == 0xd9) return result;
+    if (marker == 1 || (marker >= 0xd0 && marker <= 0xd8)) {
+      at += 2;
+      continue;
+    }
+    const std::size_t length = number_at(bytes, at + 2, 2, true);
+    if (length < 2 || length > bytes.size() - at - 2) return cut;
+    const std::string_view data = bytes.substr(at + 4, length - 2);
+    if (marker == 0xe1 &&
+        data.substr(0, 6) == std::string_view("Exif\0\0", 6)) {
+      result.orientation = exif_orientation(data.substr(6));
+    }
+    at += 2 + length;
+  }
+  return cut;
+}
+
+/// Looks for EXIF among the chunks of a PNG file. That it is whole, the
+/// decoder finds out.
+inline PictureFile inspect_png(std::string_view bytes) {
+  PictureFile result;
+  for (std::size_t at = 8; at + 12 <= bytes.size();) {
+    const std::size_t length = number_at(bytes, at, 4, true);
+    if (length > bytes.size() - at - 12) break;
+    if (bytes.substr(at + 4, 4) == "eXIf") {
+      result.orientation = exif_orientation(bytes.substr(at + 8, length));
+    }
+    at += 12 + length;
+  }
+  return result;
+}
+
+/// What kind it is, the first bytes say, not the name.
+inline PictureFile inspect_picture(std::string_view bytes) {
+  if (bytes.substr(0, 3) == "\xff\xd8\xff") return inspect_jpeg(bytes);
+  if (bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n") return inspect_png(bytes);
+  return {bytes.empty() ? "it is empty" : "it is neither a PNG nor a JPEG",
+          1};
+}
+
+}  // namespace lightwalk
