@@ -18,7 +18,7 @@ scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
   signatures diff null-test bench-compare setup-bench format clean $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
-# All Python here finds the tree at the folder that make runs in.
+# Where the Python programs look for what was built.
 export LIGHTWALK_BUILD := $(abspath $(BUILD))
 
 .DEFAULT_GOAL := picture
@@ -142,7 +142,7 @@ bench-peers: build $(BUILD)/bench-venv/made
 format: $(BUILD)/venv/made
 	@git ls-files '*.hpp' '*.cpp' | xargs $(BUILD)/venv/bin/clang-format \
 	  $(if $(CHECK),--dry-run --Werror,-i)
-	@$(BUILD)/venv/bin/ruff format --quiet $(if $(CHECK),--diff) .
+	@$(BUILD)/venv/bin/ruff format --quiet --no-cache $(if $(CHECK),--diff) .
 
 clean:
 	@cmake -E rm -rf $(BUILD)

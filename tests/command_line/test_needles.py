@@ -30,9 +30,7 @@ class Needles(programs.InFolder):
         scene = self.folder / "scene.toml"
         scene.write_text(SCENE.replace("VERTICES", str(vertices)))
         return programs.run(
-            "stage1",
-            *("scene.toml", "-o", "a.pfm", "--spp", "64", "--threads", "1"),
-            folder=self.folder,
+            "stage1", *("scene.toml", "-o", "a.pfm", "--spp", "64", "--threads", "1"), folder=self.folder
         )
 
     def picture(self, vertices):
@@ -64,8 +62,7 @@ class Needles(programs.InFolder):
                 result = self.render([line[i] for i in order])
                 self.assert_one_line(
                     result,
-                    "stage1: scene.toml:11:12: the triangle's vertices lie on one "
-                    "line: they span no area",
+                    "stage1: scene.toml:11:12: the triangle's vertices lie on one line: they span no area",
                 )
 
 

@@ -37,9 +37,7 @@ lamp = { ke = [3, 2, 1] }
 def scene_of(shapes):
     """A scene with these shapes, and the materials that they name."""
     materials = "".join(
-        line
-        for line in MATERIALS.splitlines(keepends=True)
-        if f'"{line.split()[0]}"' in shapes
+        line for line in MATERIALS.splitlines(keepends=True) if f'"{line.split()[0]}"' in shapes
     )
     return f"{CAMERA}[materials]\n{materials}{shapes}"
 
@@ -91,9 +89,7 @@ class Pixels(InFolder):
 
     def told_of(self, shapes, *arguments, program="stage4", pixel="0,0"):
         (self.folder / "scene.toml").write_text(scene_of(shapes))
-        return self.told(
-            program, "scene.toml", "--pixel", pixel, *arguments
-        )
+        return self.told(program, "scene.toml", "--pixel", pixel, *arguments)
 
     def radiance(self, story):
         last = story.splitlines()[-1]
@@ -237,9 +233,7 @@ class WhatIsTold(Pixels):
     def test_a_light_behind_something(self):
         shapes = square("white", 2) + sphere("white", -1, 0.5) + point_light(-2)
         story = self.told_of(shapes)
-        self.assertRegex(
-            story, r"light .*, +-\d\.\d+\)  at [\d.]+: blocked\n"
-        )
+        self.assertRegex(story, r"light .*, +-\d\.\d+\)  at [\d.]+: blocked\n")
         self.assertRegex(story, r"adds .*\( +0, +0, +0\)  direct light\n")
 
     def test_how_a_path_goes_on_and_ends(self):
@@ -355,9 +349,7 @@ class NotFinite(Pixels):
             first = 3 * (20 * row + column) + sample
             for i in range(max(0, first - 40), first):
                 pixel = i // 3
-                self.assertTrue(
-                    self.is_finite(pixel % 20, pixel // 20, i % 3, *options)
-                )
+                self.assertTrue(self.is_finite(pixel % 20, pixel // 20, i % 3, *options))
 
 
 if __name__ == "__main__":
