@@ -14,6 +14,7 @@
 #include "common/scene/camera.hpp"
 #include "common/scene/light.hpp"
 #include "common/scene/material.hpp"
+#include "common/scene/path_log.hpp"
 
 namespace lightwalk {
 
@@ -56,12 +57,15 @@ struct Scene {
 
   /// The first surface that the ray meets, if there is one.
   std::optional<Hit> nearest_hit(const Ray& ray) const {
+    note_ray(ray);
     return geometry.nearest_hit(ray);
   }
 
   /// Whether nothing lies between two points, neither of them on a surface.
   bool visible(const Vec3& from, const Vec3& to) const {
-    return geometry.visible(from, to);
+    const bool reached = geometry.visible(from, to);
+    note_shadow_ray({from, normalize(to - from)}, length(to - from), reached);
+    return reached;
   }
 };
 

@@ -227,6 +227,7 @@ class PathTracer {
       if (!hit) return Vec3(0);
       const Material& material = *hit->material;
       const Vec3 wo = -ray.direction;
+      log_vertex(Surface(*hit, material, wo), throughput, Vec3(0), bounce);
 
       // An emitter ends the path.
       if (material.emits()) return throughput * emitted(*hit, wo);

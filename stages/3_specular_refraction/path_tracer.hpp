@@ -253,6 +253,8 @@ class PathTracer {
       if (!hit) continue;
       const Material& material = *hit->material;
       const Vec3 wo = -path.ray.direction;
+      log_vertex(Surface(*hit, material, wo), path.throughput, sum,
+                 path.bounce);
 
       // An emitter ends the path, and counts if it has not been counted.
       if (material.emits()) {

@@ -184,6 +184,7 @@ class PathTracer {
       if (!hit) return sum;
       const Material& material = *hit->material;
       const Vec3 wo = -ray.direction;
+      log_vertex(Surface(*hit, material, wo), throughput, sum, bounce);
 
       // An emitter ends the path, and counts if it has not been counted.
       if (material.emits()) {

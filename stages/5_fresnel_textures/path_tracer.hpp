@@ -247,6 +247,7 @@ class PathTracer {
       if (!hit) return sum;
       const Vec3 wo = -ray.direction;
       const Material material = material_at(scene_, *hit, wo);
+      log_vertex(Surface(*hit, material, wo), throughput, sum, bounce);
 
       // An emitter ends the path, and counts if it has not been counted.
       if (material.emits()) {
