@@ -1,6 +1,7 @@
 #pragma once
 
-// A line on the terminal that says how far a render is.
+// A line on the terminal that says how far a render is. By hand: the library
+// for it, indicators, is no package of Debian's.
 
 #include <chrono>
 #include <condition_variable>
@@ -9,37 +10,22 @@
 #include <string>
 #include <thread>
 
+#include "common/program/with_unit.hpp"
 #include "common/render/render.hpp"
 
-#ifdef _WIN32
-#include <io.h>
-#else
+#if __has_include(<unistd.h>)
 #include <unistd.h>
 #endif
 
 namespace lightwalk {
 
+/// Where it cannot be told, nobody watches.
 inline bool stderr_is_terminal() {
-#ifdef _WIN32
-  return _isatty(_fileno(stderr)) != 0;
-#else
+#ifdef STDERR_FILENO
   return isatty(STDERR_FILENO) != 0;
+#else
+  return false;
 #endif
-}
-
-/// A number with three digits or so and a unit: "4.56 M".
-inline std::string with_unit(double value) {
-  const char* unit = "";
-  if (value >= 1e9) {
-    value /= 1e9, unit = "G";
-  } else if (value >= 1e6) {
-    value /= 1e6, unit = "M";
-  } else if (value >= 1e3) {
-    value /= 1e3, unit = "k";
-  }
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g %s", value, unit);
-  return text;
 }
 
 /// Shows the progress on stderr, a few times a second, until it is destroyed.

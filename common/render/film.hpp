@@ -9,11 +9,15 @@
 // Both are updated sample by sample (Welford, Technometrics 4(3), 1962), in
 // double precision: a float's 24 bits are spent after a few million samples.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "common/image/image.hpp"
+#include "common/image/render_result.hpp"
 #include "common/math/vector.hpp"
 
 namespace lightwalk {
@@ -23,10 +27,13 @@ struct Pixel {
   double mean[3] = {0, 0, 0};
   double squares[3] = {0, 0, 0};  ///< sum of squared differences to the mean
   std::uint32_t samples = 0;
-  std::uint32_t dropped = 0;  ///< samples that were not finite
+  std::uint32_t dropped = 0;        ///< samples that were not finite
+  std::uint32_t first_dropped = 0;  ///< number of the first of them
 
+  /// Adds the next sample.
   void add(const Vec3& radiance) {
     if (!is_finite(radiance)) {
+      if (dropped == 0) first_dropped = samples;
       ++dropped;
       return;
     }
@@ -46,6 +53,12 @@ struct Pixel {
   }
 };
 
+/// Where a pixel is in the picture, counted row by row from the top.
+inline std::size_t pixel_index(int width, int column, int row) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(column);
+}
+
 class Film {
  public:
   Film(int width, int height)
@@ -57,8 +70,7 @@ class Film {
   int width() const { return width_; }
   int height() const { return height_; }
   std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(column);
+    return pixel_index(width_, column, row);
   }
   Pixel& pixel(int column, int row) { return pixels_[index(column, row)]; }
   const std::vector<Pixel>& pixels() const { return pixels_; }
@@ -87,5 +99,25 @@ class Film {
   int width_, height_;
   std::vector<Pixel> pixels_;
 };
+
+/// The film as a picture. What the film knows is added to `info`: how many
+/// samples there are, and which of them were dropped.
+inline RenderResult develop(const Film& film, RenderInfo info) {
+  std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
+  for (int row = 0; row < film.height(); ++row) {
+    for (int column = 0; column < film.width(); ++column) {
+      const Pixel& pixel = film.pixels()[film.index(column, row)];
+      const std::uint32_t samples = pixel.samples + pixel.dropped;
+      fewest = std::min(fewest, samples);
+      info.samples += samples;
+      info.dropped += pixel.dropped;
+      if (pixel.dropped > 0 && !info.first_dropped) {
+        info.first_dropped = {column, row, pixel.first_dropped};
+      }
+    }
+  }
+  info.samples_per_pixel = fewest;
+  return {film.radiance(), film.variance(), std::move(info)};
+}
 
 }  // namespace lightwalk

@@ -17,6 +17,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -45,6 +46,16 @@ struct RenderProgress {
   std::atomic<std::uint64_t> samples{0};
   std::atomic<std::uint64_t> rays{0};
 };
+
+/// The light that one sample of a pixel brings to the camera.
+template <class PathTracer>
+Vec3 sample_radiance(const PathTracer& tracer, const Scene& scene,
+                     std::uint64_t seed, const PixelSample& which) {
+  const auto [column, row, sample] = which;
+  Random random(seed, pixel_index(scene.camera.width, column, row), sample);
+  const Ray ray = scene.camera.ray(column, row, random.uniform_2d());
+  return tracer.radiance(ray, random);
+}
 
 // #region render-tile
 /// The pixels of a tile that are not taken yet.
@@ -80,11 +91,9 @@ void render_tile(const PathTracer& tracer, const Scene& scene,
     while (!queue.empty() && !stop.load(std::memory_order_relaxed)) {
       const auto [column, row] = queue.take();
       Pixel pixel = film.pixel(column, row);
-      const std::uint64_t key = film.index(column, row);
       for (std::uint32_t sample = tile.first; sample < tile.last; ++sample) {
-        Random random(seed, key, sample);
-        const Ray ray = scene.camera.ray(column, row, random.uniform_2d());
-        pixel.add(tracer.radiance(ray, random));
+        pixel.add(
+            sample_radiance(tracer, scene, seed, {column, row, sample}));
       }
       film.pixel(column, row) = pixel;
     }
@@ -135,16 +144,18 @@ inline void render_pass(const TileRenderer& render_tile, Film& film,
   for (std::thread& helper : helpers) helper.join();
 }
 
+/// How many threads `threads` asks for: 0 as many as the machine has.
+inline int thread_count(int threads) {
+  if (threads > 0) return threads;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 /// Renders all samples of the picture, or as many as come before `stop`.
-/// `threads` = 0 takes as many as the machine has.
-inline void render(const TileRenderer& render_tile, int samples_per_pixel,
-                   int threads, Film& film, const std::atomic<bool>& stop,
-                   RenderProgress& progress) {
-  if (threads <= 0) {
-    threads =
-        std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  }
-  const auto samples = static_cast<std::uint32_t>(samples_per_pixel);
+inline void render(const TileRenderer& render_tile,
+                   const RenderSettings& settings, Film& film,
+                   const std::atomic<bool>& stop, RenderProgress& progress) {
+  const int threads = thread_count(settings.threads);
+  const auto samples = static_cast<std::uint32_t>(settings.samples_per_pixel);
   std::uint32_t done = 0;
   while (done < samples && !stop) {
     // As many as there are already, so a first picture is there at once.

@@ -11,12 +11,14 @@ enum class Sampling { cosine, uniform };
 /// No path has more bounces than this, whatever it was allowed.
 inline constexpr int bounce_cap = 4096;
 
-/// What a render is made with, beside its scene.
+/// What a render is made with, beside its scene. The picture's size is the
+/// camera's.
 struct RenderSettings {
   int samples_per_pixel = 64;
   int max_bounces = bounce_cap;
   std::uint64_t seed = 1;
   Sampling sampling = Sampling::cosine;
+  int threads = 0;  ///< 0: as many as the machine has; changes no bit
 };
 
 }  // namespace lightwalk

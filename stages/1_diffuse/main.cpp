@@ -1,13 +1,12 @@
-#include "common/program/program.hpp"
+#include "common/program/run.hpp"
 #include "stages/1_diffuse/path_tracer.hpp"
 #include "stages/introductions.hpp"
 
-lightwalk::Program lightwalk::this_program() {
-  Program program;
-  program.name = "stage1";
-  program.description = "Path tracing, stage 1: diffuse surfaces";
-  program.syllabus = syllabus(1);
-  program.default_bounces = 8;
-  program.renderer = tile_renderer<stage1::PathTracer>;
-  return program;
+int main(int argc, char** argv) {
+  return lightwalk::run<lightwalk::stage1::PathTracer>(
+      argc, argv,
+      {.name = "stage1",
+       .description = "Path tracing, stage 1: diffuse surfaces",
+       .syllabus = lightwalk::syllabus(1),
+       .default_bounces = 8});
 }

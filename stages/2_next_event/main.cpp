@@ -1,13 +1,12 @@
-#include "common/program/program.hpp"
+#include "common/program/run.hpp"
 #include "stages/2_next_event/path_tracer.hpp"
 #include "stages/introductions.hpp"
 
-lightwalk::Program lightwalk::this_program() {
-  Program program;
-  program.name = "stage2";
-  program.description = "Path tracing, stage 2: next-event estimation";
-  program.syllabus = syllabus(2);
-  program.default_bounces = 8;
-  program.renderer = tile_renderer<stage2::PathTracer>;
-  return program;
+int main(int argc, char** argv) {
+  return lightwalk::run<lightwalk::stage2::PathTracer>(
+      argc, argv,
+      {.name = "stage2",
+       .description = "Path tracing, stage 2: next-event estimation",
+       .syllabus = lightwalk::syllabus(2),
+       .default_bounces = 8});
 }

@@ -1,14 +1,13 @@
-#include "common/program/program.hpp"
+#include "common/program/run.hpp"
 #include "stages/3_specular_refraction/path_tracer.hpp"
 #include "stages/introductions.hpp"
 
-lightwalk::Program lightwalk::this_program() {
-  Program program;
-  program.name = "stage3";
-  program.description = "Path tracing, stage 3: perfect mirrors and glass";
-  program.syllabus = syllabus(3);
-  program.default_bounces = 8;
-  program.most_bounces = stage3::most_bounces;
-  program.renderer = tile_renderer<stage3::PathTracer>;
-  return program;
+int main(int argc, char** argv) {
+  return lightwalk::run<lightwalk::stage3::PathTracer>(
+      argc, argv,
+      {.name = "stage3",
+       .description = "Path tracing, stage 3: perfect mirrors and glass",
+       .syllabus = lightwalk::syllabus(3),
+       .default_bounces = 8,
+       .most_bounces = lightwalk::stage3::most_bounces});
 }

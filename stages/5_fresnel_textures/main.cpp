@@ -1,12 +1,11 @@
-#include "common/program/program.hpp"
+#include "common/program/run.hpp"
 #include "stages/5_fresnel_textures/path_tracer.hpp"
 #include "stages/introductions.hpp"
 
-lightwalk::Program lightwalk::this_program() {
-  Program program;
-  program.name = "stage5";
-  program.description = "Path tracing, stage 5: Fresnel and textures";
-  program.syllabus = syllabus(5);
-  program.renderer = tile_renderer<stage5::PathTracer>;
-  return program;
+int main(int argc, char** argv) {
+  return lightwalk::run<lightwalk::stage5::PathTracer>(
+      argc, argv,
+      {.name = "stage5",
+       .description = "Path tracing, stage 5: Fresnel and textures",
+       .syllabus = lightwalk::syllabus(5)});
 }

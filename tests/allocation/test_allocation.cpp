@@ -49,9 +49,8 @@ namespace {
 /// What a renderer asks for to render 64 x 64 pixels with some samples each.
 template <class PathTracer>
 long allocations_of(const Scene& scene, std::uint32_t samples) {
-  RenderSettings settings;
-  settings.max_bounces = 4;
-  const TileRenderer render = tile_renderer<PathTracer>(scene, settings);
+  const TileRenderer render =
+      tile_renderer<PathTracer>(scene, {.max_bounces = 4});
   Film film(64, 64);
   const std::atomic<bool> stop{false};
   const long before = allocations;

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "common/program/program.hpp"
+#include "common/render/paint.hpp"
 #include "common/scene_file/scene_file.hpp"
 #include "stages/5_fresnel_textures/path_tracer.hpp"
 #include "stages/introductions.hpp"
@@ -21,21 +21,20 @@ struct Work {
   int size = 128, samples = 4, threads = 1, bounces = bounce_cap;
 };
 
-/// Renders until the time is up, and reports samples and rays per second.
+/// Paints until the time is up, and reports samples and rays per second.
 template <class PathTracer>
-void render_scene(benchmark::State& state, Scene& scene, const Work& work) {
+void time_of_painting(benchmark::State& state, Scene& scene,
+                      const Work& work) {
   scene.camera.width = scene.camera.height = work.size;
-  RenderSettings settings;
-  settings.max_bounces = work.bounces;
-  const TileRenderer renderer = tile_renderer<PathTracer>(scene, settings);
-  const std::atomic<bool> stop{false};
-  RenderProgress progress;
+  const RenderSettings settings{.samples_per_pixel = work.samples,
+                                .max_bounces = work.bounces,
+                                .threads = work.threads};
+  std::uint64_t samples = 0, rays = 0;
   for (auto _ : state) {
-    Film film(work.size, work.size);
-    render(renderer, work.samples, work.threads, film, stop, progress);
-    benchmark::DoNotOptimize(film.pixel(0, 0).mean);
+    const RenderResult picture = paint<PathTracer>(scene, settings);
+    samples += picture.info.samples;
+    rays += picture.info.rays;
   }
-  const std::uint64_t samples = progress.samples, rays = progress.rays;
   state.SetItemsProcessed(static_cast<std::int64_t>(samples));
   state.counters["rays/s"] = benchmark::Counter(static_cast<double>(rays),
                                                 benchmark::Counter::kIsRate);
@@ -55,7 +54,7 @@ void add_stage(int stage, const std::string& scene_name, Work work) {
         [stage, scene_name, work](benchmark::State& state) {
           LoadedScene loaded =
               load_scene(SCENES + scene_name + ".toml", syllabus(stage));
-          render_scene<PathTracer>(state, loaded.scene, work);
+          time_of_painting<PathTracer>(state, loaded.scene, work);
         })
         ->UseRealTime()
         ->Unit(benchmark::kMillisecond);
@@ -98,7 +97,8 @@ Scene crowded_box(std::int64_t count, bool triangles) {
 
 void cost_of_shapes(benchmark::State& state, bool triangles) {
   Scene scene = crowded_box(state.range(0), triangles);
-  render_scene<stage4::PathTracer>(state, scene, {.size = 64, .samples = 2});
+  time_of_painting<stage4::PathTracer>(state, scene,
+                                       {.size = 64, .samples = 2});
 }
 
 void cost_of_building(benchmark::State& state) {
@@ -113,7 +113,7 @@ void cost_of(benchmark::State& state, int Work::*what) {
   work.*what = static_cast<int>(state.range(0));
   LoadedScene loaded =
       load_scene(SCENES "cornell_box_point.toml", syllabus(4));
-  render_scene<stage4::PathTracer>(state, loaded.scene, work);
+  time_of_painting<stage4::PathTracer>(state, loaded.scene, work);
 }
 
 void nearest_hit(benchmark::State& state) {

@@ -91,6 +91,7 @@ class Options(Programs):
             for option in (
                 "--output --spp --max-bounces --seed --threads --size "
                 "--sampling --tone-map --gamma --exposure --quiet --help "
+                "--report --pixel --sample "
                 "--version"
             ).split():
                 self.assertIn(option, result.stdout)
@@ -381,7 +382,7 @@ class WhatCannotBeWritten(Programs):
         result = self.run_here(BOX, "-o", "out.pfm", "--size", "65536x65536")
         self.assert_one_line(
             result,
-            "stage1: an image of 65536 x 65536 pixels needs 447 GB of "
+            "stage1: an image of 65536 x 65536 pixels needs 481 GB of "
             "memory, and this machine has ...",
         )
         self.assertEqual(self.files(), [])

@@ -112,6 +112,7 @@ TEST_CASE("samples that are not finite are counted and left out") {
   pixel.add({3, 3, 3});
   CHECK(pixel.samples == 2);
   CHECK(pixel.dropped == 3);
+  CHECK(pixel.first_dropped == 1);
   CHECK(pixel.mean[0] == doctest::Approx(2));
   CHECK(pixel.variance(2) == doctest::Approx(2));
 }

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/render/render.hpp"
+#include "common/render/paint.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;
@@ -17,6 +17,9 @@ namespace {
 
 /// Radiance that shows which ray and which random numbers it was given.
 struct FakeTracer {
+  FakeTracer() = default;
+  FakeTracer(const Scene&, const RenderSettings&) {}
+
   Vec3 radiance(const Ray& ray, Random& random) const {
     ++rays_cast;
     return {random.uniform(), ray.direction.x, random.uniform()};
@@ -41,7 +44,9 @@ Film rendered(int width, int height, int samples, int threads,
   const FakeTracer tracer;
   const std::atomic<bool> stop{false};
   RenderProgress progress;
-  render(renderer(tracer, seed), samples, threads, film, stop, progress);
+  render(renderer(tracer, seed),
+         {.samples_per_pixel = samples, .threads = threads}, film, stop,
+         progress);
   return film;
 }
 
@@ -147,7 +152,8 @@ TEST_CASE("samples that are not finite are counted, and cost no pixel") {
   Film film(8, 8);
   const std::atomic<bool> stop{false};
   RenderProgress progress;
-  render(renderer(tracer), 100, 2, film, stop, progress);
+  render(renderer(tracer), {.samples_per_pixel = 100, .threads = 2}, film,
+         stop, progress);
   std::uint32_t dropped = 0;
   for (const Pixel& pixel : film.pixels()) {
     CHECK(pixel.samples + pixel.dropped == 100);
@@ -164,7 +170,8 @@ TEST_CASE("progress counts all samples and the rays of all threads") {
     const FakeTracer tracer;
     const std::atomic<bool> stop{false};
     RenderProgress progress;
-    render(renderer(tracer), 10, threads, film, stop, progress);
+    render(renderer(tracer), {.samples_per_pixel = 10, .threads = threads},
+           film, stop, progress);
     CAPTURE(threads);
     CHECK(progress.samples == 33 * 20 * 10);
     CHECK(progress.rays == 33 * 20 * 10);
@@ -176,7 +183,8 @@ TEST_CASE("a render that is stopped before it began leaves a black film") {
   const FakeTracer tracer;
   const std::atomic<bool> stop{true};
   RenderProgress progress;
-  render(renderer(tracer), 10, 2, film, stop, progress);
+  render(renderer(tracer), {.samples_per_pixel = 10, .threads = 2}, film,
+         stop, progress);
   for (const Pixel& pixel : film.pixels()) CHECK(pixel.samples == 0);
   for (const Vec3& pixel : film.radiance().pixels) CHECK(pixel == Vec3(0));
 }
@@ -200,7 +208,8 @@ TEST_CASE("a render that is interrupted leaves a whole picture behind") {
     const Interrupting tracer{stop, left};
     Film film(20, 20);
     RenderProgress progress;
-    render(renderer(tracer), 1000, threads, film, stop, progress);
+    render(renderer(tracer), {.samples_per_pixel = 1000, .threads = threads},
+           film, stop, progress);
 
     const Film four = rendered(20, 20, 4, 1), eight = rendered(20, 20, 8, 1);
     int fewer = 0, more = 0, wrong = 0;
@@ -216,5 +225,82 @@ TEST_CASE("a render that is interrupted leaves a whole picture behind") {
     CHECK(more > 0);
     CHECK(fewer + more == 400);
     CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("a painting is what the film of its settings has, and knows it") {
+  Scene scene;
+  scene.camera.width = 11;
+  scene.camera.height = 9;
+  const RenderResult picture = paint<FakeTracer>(
+      scene, {.samples_per_pixel = 5, .max_bounces = 7, .seed = 3});
+  const Film film = rendered(11, 9, 5, 1, 3);
+  CHECK(picture.radiance.pixels == film.radiance().pixels);
+  CHECK(picture.variance.pixels == film.variance().pixels);
+  CHECK(picture.info.samples_per_pixel == 5);
+  CHECK(picture.info.samples == 11 * 9 * 5);
+  CHECK(picture.info.rays == 11 * 9 * 5);
+  CHECK(picture.info.max_bounces == 7);
+  CHECK(picture.info.seed == 3);
+  CHECK(picture.info.dropped == 0);
+  CHECK(!picture.info.first_dropped);
+}
+
+// A sample is dropped where its first number is below 1 %: of 40 x 30 pixels
+// with 20 samples each about 240 are. Which is first is worked out here one by
+// one; the threads come to them in any order.
+TEST_CASE("the first sample that is not finite is named") {
+  struct Dropping {
+    Dropping(const Scene&, const RenderSettings&) {}
+    Vec3 radiance(const Ray&, Random& random) const {
+      return Vec3(random.uniform() < 0.01f ? infinity : 1);
+    }
+  };
+  Scene scene;
+  scene.camera.width = 40;
+  scene.camera.height = 30;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    int column = -1, row = -1;
+    std::uint64_t sample = 0;
+    for (std::uint64_t i = 0; column < 0 && i < 40 * 30 * 20; ++i) {
+      Random random(seed, i / 20, i % 20);
+      random.uniform_2d();
+      if (random.uniform() >= 0.01f) continue;
+      column = static_cast<int>(i / 20 % 40);
+      row = static_cast<int>(i / 20 / 40);
+      sample = i % 20;
+    }
+    for (const int threads : {1, 4}) {
+      const RenderInfo info = paint<Dropping>(scene, {.samples_per_pixel = 20,
+                                                      .seed = seed,
+                                                      .threads = threads})
+                                  .info;
+      CAPTURE(seed);
+      CAPTURE(threads);
+      CHECK(info.dropped > 100);
+      CHECK(info.samples == 40 * 30 * 20);
+      REQUIRE(info.first_dropped);
+      CHECK(info.first_dropped->column == column);
+      CHECK(info.first_dropped->row == row);
+      CHECK(info.first_dropped->sample == sample);
+    }
+  }
+}
+
+TEST_CASE("a sample by itself is the one that the picture has") {
+  Scene scene;
+  scene.camera.width = 7;
+  scene.camera.height = 5;
+  const Film film = rendered(7, 5, 4, 2, 9);
+  for (int row = 0; row < 5; ++row) {
+    for (int column = 0; column < 7; ++column) {
+      Pixel pixel;
+      for (std::uint32_t sample = 0; sample < 4; ++sample) {
+        pixel.add(
+            sample_radiance(FakeTracer(), scene, 9, {column, row, sample}));
+      }
+      CHECK(pixel.mean[0] == film.pixels()[film.index(column, row)].mean[0]);
+      CHECK(pixel.mean[1] == film.pixels()[film.index(column, row)].mean[1]);
+    }
   }
 }

@@ -17,7 +17,7 @@ TEST_CASE("uniform and cosine sampling paint the same picture") {
   settings.samples_per_pixel = 512;
   settings.max_bounces = 4;
   settings.seed = 7;
-  const RenderResult cosine = render_scene<PathTracer>(scene, settings);
+  const RenderResult cosine = paint<PathTracer>(scene, settings);
   settings.sampling = Sampling::uniform;
   const auto uniform = renderer<PathTracer>(scene, settings);
   check_same(uniform, 256, cosine);
@@ -27,15 +27,17 @@ TEST_CASE("the same bits for any number of threads, other noise for a seed") {
   const Scene scene = scene_file("cornell_box_ceiling_diffuse", 30, 21);
   RenderSettings settings;
   settings.samples_per_pixel = 5;
-  const RenderResult one = render_scene<PathTracer>(scene, settings, 1);
+  settings.threads = 1;
+  const RenderResult one = paint<PathTracer>(scene, settings);
   for (const int threads : {1, 2, 7}) {
     CAPTURE(threads);
-    const RenderResult again =
-        render_scene<PathTracer>(scene, settings, threads);
+    settings.threads = threads;
+    const RenderResult again = paint<PathTracer>(scene, settings);
     CHECK(again.radiance.pixels == one.radiance.pixels);
     CHECK(again.variance.pixels == one.variance.pixels);
   }
   settings.seed = 2;
-  const RenderResult other = render_scene<PathTracer>(scene, settings, 2);
+  settings.threads = 2;
+  const RenderResult other = paint<PathTracer>(scene, settings);
   CHECK(other.radiance.pixels != one.radiance.pixels);
 }

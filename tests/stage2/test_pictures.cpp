@@ -28,13 +28,11 @@ TEST_CASE("asking the lamps gives the picture that finding them gives") {
     RenderSettings settings;
     settings.max_bounces = one.max_bounces;
     settings.samples_per_pixel = 1024;
-    const RenderResult found =
-        render_scene<stage1::PathTracer>(scene, settings);
+    const RenderResult found = paint<stage1::PathTracer>(scene, settings);
     check_same(renderer<stage2::PathTracer>(scene, settings), 128, found);
     if (!one.calmer) continue;
     settings.samples_per_pixel = 128;
-    const RenderResult asked =
-        render_scene<stage2::PathTracer>(scene, settings);
+    const RenderResult asked = paint<stage2::PathTracer>(scene, settings);
     const double ratio = variance_ratio(asked, found);
     MESSAGE(one.scene, ", ", one.max_bounces,
             " bounces: variance of stage 2 / stage 1 = ", ratio);
@@ -47,16 +45,18 @@ TEST_CASE("the same bits for any number of threads, other noise for a seed") {
   RenderSettings settings;
   settings.samples_per_pixel = 5;
   settings.max_bounces = 8;
-  const auto one = render_scene<stage2::PathTracer>(scene, settings, 1);
+  settings.threads = 1;
+  const auto one = paint<stage2::PathTracer>(scene, settings);
   for (const int threads : {1, 2, 7}) {
     CAPTURE(threads);
-    const auto again =
-        render_scene<stage2::PathTracer>(scene, settings, threads);
+    settings.threads = threads;
+    const auto again = paint<stage2::PathTracer>(scene, settings);
     CHECK(again.radiance.pixels == one.radiance.pixels);
     CHECK(again.variance.pixels == one.variance.pixels);
   }
   settings.seed = 2;
-  const auto other = render_scene<stage2::PathTracer>(scene, settings, 2);
+  settings.threads = 2;
+  const auto other = paint<stage2::PathTracer>(scene, settings);
   CHECK(other.radiance.pixels != one.radiance.pixels);
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("uniform and cosine sampling paint the same picture") {
   RenderSettings settings;
   settings.samples_per_pixel = 512;
   settings.max_bounces = 4;
-  const auto cosine = render_scene<stage2::PathTracer>(scene, settings);
+  const auto cosine = paint<stage2::PathTracer>(scene, settings);
   settings.sampling = Sampling::uniform;
   check_same(renderer<stage2::PathTracer>(scene, settings), 256, cosine);
 }

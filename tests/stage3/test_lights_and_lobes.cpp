@@ -114,7 +114,7 @@ TEST_CASE("without specular lobes the picture is stage 2's") {
     RenderSettings settings;
     settings.max_bounces = 4;
     settings.samples_per_pixel = 256;
-    const auto second = render_scene<stage2::PathTracer>(scene, settings);
+    const auto second = paint<stage2::PathTracer>(scene, settings);
     check_same(renderer<PathTracer>(scene, settings), 64, second);
   }
 }
@@ -124,8 +124,10 @@ TEST_CASE("the lab's box: the same bits for any number of threads") {
   RenderSettings settings;
   settings.samples_per_pixel = 4;
   settings.max_bounces = 6;
-  const auto one = render_scene<PathTracer>(scene, settings, 1);
-  const auto many = render_scene<PathTracer>(scene, settings, 7);
+  settings.threads = 1;
+  const auto one = paint<PathTracer>(scene, settings);
+  settings.threads = 7;
+  const auto many = paint<PathTracer>(scene, settings);
   CHECK(one.radiance.pixels == many.radiance.pixels);
   CHECK(one.info.rays == many.info.rays);
   CHECK(one.info.dropped == 0);

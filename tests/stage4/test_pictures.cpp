@@ -25,7 +25,7 @@ TEST_CASE("with a bound of N bounces the picture is stage 3's") {
     RenderSettings settings;
     settings.max_bounces = one.max_bounces;
     settings.samples_per_pixel = 256;
-    const auto third = render_scene<stage3::PathTracer>(scene, settings);
+    const auto third = paint<stage3::PathTracer>(scene, settings);
     check_same(renderer<PathTracer>(scene, settings), 128, third);
   }
 }
@@ -35,8 +35,8 @@ TEST_CASE("rays per sample do not grow with the bound, as stage 3's do") {
   RenderSettings settings;
   settings.samples_per_pixel = 4;
   settings.max_bounces = 10;
-  const auto branching = render_scene<stage3::PathTracer>(scene, settings);
-  const auto roulette = render_scene<PathTracer>(scene, settings);
+  const auto branching = paint<stage3::PathTracer>(scene, settings);
+  const auto roulette = paint<PathTracer>(scene, settings);
   CHECK(branching.info.rays > 30 * roulette.info.rays);
 }
 
@@ -44,11 +44,14 @@ TEST_CASE("the lab's box: the same bits for any number of threads") {
   const Scene scene = scene_file("cornell_box_point", 30, 21);
   RenderSettings settings;
   settings.samples_per_pixel = 5;
-  const auto one = render_scene<PathTracer>(scene, settings, 1);
-  const auto many = render_scene<PathTracer>(scene, settings, 7);
+  settings.threads = 1;
+  const auto one = paint<PathTracer>(scene, settings);
+  settings.threads = 7;
+  const auto many = paint<PathTracer>(scene, settings);
   CHECK(one.radiance.pixels == many.radiance.pixels);
   CHECK(one.info.dropped == 0);
   settings.seed = 2;
-  const auto other = render_scene<PathTracer>(scene, settings, 2);
+  settings.threads = 2;
+  const auto other = paint<PathTracer>(scene, settings);
   CHECK(one.radiance.pixels != other.radiance.pixels);
 }

@@ -19,8 +19,8 @@ TEST_CASE(
     const Scene scene = scene_file(name, 20, 20);
     RenderSettings settings;
     settings.samples_per_pixel = 8;
-    const auto fourth = render_scene<stage4::PathTracer>(scene, settings);
-    const auto fifth = render_scene<PathTracer>(scene, settings);
+    const auto fourth = paint<stage4::PathTracer>(scene, settings);
+    const auto fifth = paint<PathTracer>(scene, settings);
     CHECK(fifth.radiance.pixels == fourth.radiance.pixels);
     CHECK(fifth.variance.pixels == fourth.variance.pixels);
   }
@@ -45,7 +45,7 @@ material = "lamp"
 )");
     RenderSettings settings;
     settings.samples_per_pixel = 8;
-    return render_scene<PathTracer>(scene, settings).radiance.pixels;
+    return paint<PathTracer>(scene, settings).radiance.pixels;
   };
   const auto plain = picture("{ kd = [0.6, 0.2, 0.1], ks = 0.25 }");
   CHECK(picture("{ kd = { checker = [[0.6, 0.2, 0.1], [0.6, 0.2, 0.1]] }, "
@@ -99,10 +99,13 @@ TEST_CASE("the same bits for any number of threads, other noise for a seed") {
   const Scene scene = scene_file("checkered_floor", 30, 21);
   RenderSettings settings;
   settings.samples_per_pixel = 5;
-  const auto one = render_scene<PathTracer>(scene, settings, 1);
-  const auto many = render_scene<PathTracer>(scene, settings, 7);
+  settings.threads = 1;
+  const auto one = paint<PathTracer>(scene, settings);
+  settings.threads = 7;
+  const auto many = paint<PathTracer>(scene, settings);
   CHECK(one.radiance.pixels == many.radiance.pixels);
   settings.seed = 2;
-  const auto other = render_scene<PathTracer>(scene, settings, 2);
+  settings.threads = 2;
+  const auto other = paint<PathTracer>(scene, settings);
   CHECK(one.radiance.pixels != other.radiance.pixels);
 }

@@ -18,7 +18,7 @@ Rerender renderer(const Scene& scene, const RenderSettings& settings) {
     RenderSettings changed = settings;
     changed.samples_per_pixel = samples;
     changed.seed = seed;
-    return render_scene<PathTracer>(scene, changed);
+    return paint<PathTracer>(scene, changed);
   };
 }
 

@@ -2,13 +2,13 @@
 
 // Scenes and renders for tests, without files and command lines.
 
-#include <atomic>
+#include <cmath>
 #include <string>
 #include <string_view>
 
 #include "common/image/render_result.hpp"
-#include "common/program/program.hpp"
 #include "common/render/film.hpp"
+#include "common/render/paint.hpp"
 #include "common/scene_file/loaded_scene.hpp"
 
 namespace lightwalk::tests {
@@ -32,26 +32,6 @@ Pixel estimate(const PathTracer& tracer, const Ray& ray, int samples,
     pixel.add(tracer.radiance(ray, random));
   }
   return pixel;
-}
-
-/// A whole picture by all threads of the machine.
-template <class PathTracer>
-RenderResult render_scene(const Scene& scene, const RenderSettings& settings,
-                          int threads = 0) {
-  Film film(scene.camera.width, scene.camera.height);
-  const std::atomic<bool> stop{false};
-  RenderProgress progress;
-  render(tile_renderer<PathTracer>(scene, settings),
-         settings.samples_per_pixel, threads, film, stop, progress);
-  RenderResult result{film.radiance(), film.variance(), {}};
-  result.info.samples_per_pixel = settings.samples_per_pixel;
-  result.info.seed = settings.seed;
-  result.info.max_bounces = settings.max_bounces;
-  result.info.rays = progress.rays;
-  for (const Pixel& pixel : film.pixels()) {
-    result.info.dropped += pixel.dropped;
-  }
-  return result;
 }
 
 /// How far an estimate is from the truth, in its own standard deviations.

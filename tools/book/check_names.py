@@ -27,7 +27,7 @@ def exists(code):
         return True
     option = re.match(r"--([a-z-]+)", code)
     if option:
-        return f'"--{option[1]}' in (ROOT / "common/program/options.hpp").read_text()
+        return f'"--{option[1]}' in (ROOT / "common/program/options.cpp").read_text()
     words = IDENTIFIER.findall(re.sub(r'"[^"]*"', "", code))
     return all(word in known_names() for word in words)
 

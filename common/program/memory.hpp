@@ -1,0 +1,43 @@
+#pragma once
+
+// Whether a picture fits into the machine's memory. Where that much can be
+// promised and not kept, the program would otherwise be killed hours later.
+
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
+
+#include <stdexcept>
+#include <string>
+
+#include "common/program/with_unit.hpp"
+#include "common/render/film.hpp"
+#include "common/scene/camera.hpp"
+
+namespace lightwalk {
+
+/// The memory of the machine in bytes, or 0 where it is not known.
+inline double physical_memory() {
+#if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+         static_cast<double>(sysconf(_SC_PAGESIZE));
+#else
+  return 0;
+#endif
+}
+
+/// Throws where the picture would not fit into the machine's memory.
+inline void check_memory(const Camera& camera) {
+  const double needed =
+      static_cast<double>(sizeof(Pixel) + 4 * sizeof(Vec3)) * camera.width *
+      camera.height;
+  const double memory = physical_memory();
+  if (memory > 0 && needed > 0.8 * memory) {
+    throw std::runtime_error(
+        "an image of " + std::to_string(camera.width) + " x " +
+        std::to_string(camera.height) + " pixels needs " + with_unit(needed) +
+        "B of memory, and this machine has " + with_unit(memory) + "B");
+  }
+}
+
+}  // namespace lightwalk

@@ -1,0 +1,218 @@
+#include "common/program/run.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include "common/image/image_file.hpp"
+#include "common/program/instruction_sets.hpp"
+#include "common/program/memory.hpp"
+#include "common/program/options.hpp"
+#include "common/program/path_story.hpp"
+#include "common/program/progress_line.hpp"
+#include "common/program/report.hpp"
+#include "common/program/with_unit.hpp"
+#include "common/scene_file/scene_file.hpp"
+
+namespace lightwalk {
+
+namespace {
+
+/// Set by the first Ctrl-C; a second one ends the program at once.
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void catch_interrupts() {
+  std::signal(SIGINT, [](int) {
+    interrupted = true;
+    std::signal(SIGINT, SIG_DFL);
+  });
+}
+
+/// What the command line asks for, and where it is silent the scene, and
+/// where that is silent too the program.
+RenderSettings settings_for(const Program& program, const Options& options,
+                            const LoadedScene& loaded) {
+  RenderSettings settings;
+  settings.samples_per_pixel = options.samples_per_pixel.value_or(
+      loaded.samples_per_pixel.value_or(settings.samples_per_pixel));
+  settings.max_bounces = options.max_bounces.value_or(
+      loaded.max_bounces.value_or(program.default_bounces));
+  settings.seed = options.seed.value_or(settings.seed);
+  settings.sampling = options.sampling.value_or(settings.sampling);
+  settings.threads = options.threads.value_or(settings.threads);
+  if (settings.max_bounces > program.most_bounces) {
+    throw std::runtime_error(
+        options.scene + " asks for " + std::to_string(settings.max_bounces) +
+        " bounces, and " + program.name + " can do at most " +
+        std::to_string(program.most_bounces));
+  }
+  return settings;
+}
+
+/// Does something with a file; its name is put before what goes wrong.
+template <class Use>
+void with_file(const std::string& path, Use use) {
+  try {
+    use();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path + " cannot be written: " + error.what());
+  }
+}
+
+void check_files(const Options& options) {
+  for (const std::string& path : options.outputs) {
+    with_file(path, [&] { check_writable(path); });
+  }
+  if (const auto& path = options.report) {
+    with_file(*path, [&] { check_writable(*path); });
+  }
+}
+
+void say_what_was_dropped(const RenderInfo& info) {
+  if (!info.first_dropped) return;
+  const auto [column, row, sample] = *info.first_dropped;
+  std::fprintf(
+      stderr,
+      "%s: %llu samples were not finite and were left out; the first "
+      "is pixel %d,%d, sample %u: --pixel %d,%d --sample %u tells its "
+      "path\n",
+      info.stage.c_str(), static_cast<unsigned long long>(info.dropped),
+      column, row, sample, column, row, sample);
+}
+
+void say_what_was_rendered(const Report& report) {
+  const RenderInfo& info = report.info;
+  for (const std::string& path : report.outputs) {
+    std::printf("%s: %d x %d, %.0f samples per pixel\n", path.c_str(),
+                report.width, report.height, info.samples_per_pixel);
+  }
+  const auto samples = static_cast<double>(info.samples);
+  std::printf("%.2f s, %ssamples/s, %.3g rays per sample\n", report.seconds,
+              with_unit(samples / report.seconds).c_str(),
+              static_cast<double>(info.rays) / samples);
+}
+
+int paint_scene(const Program& program, const Tracing& tracing,
+                const Options& options, const LoadedScene& loaded,
+                const RenderSettings& settings) {
+  const Camera& camera = loaded.scene.camera;
+  check_memory(camera);
+  check_files(options);
+
+  RenderProgress progress;
+  catch_interrupts();
+  RenderResult result;
+  const std::clock_t cpu_start = std::clock();
+  const auto start = std::chrono::steady_clock::now();
+  {
+    const double samples = static_cast<double>(camera.width) * camera.height *
+                           settings.samples_per_pixel;
+    const ProgressLine line(progress, samples, !options.quiet);
+    result = tracing.paint(loaded.scene, settings, interrupted, progress);
+  }
+  const std::chrono::duration<double> elapsed =
+      std::chrono::steady_clock::now() - start;
+  const std::clock_t cpu_time = std::clock() - cpu_start;
+
+  RenderInfo& info = result.info;
+  info.stage = program.name;
+  info.scene_sha256 = loaded.sha256;
+  info.version = LIGHTWALK_VERSION;
+  const Report report{
+      .scene = options.scene,
+      .width = camera.width,
+      .height = camera.height,
+      .info = info,
+      .threads = thread_count(settings.threads),
+      .seconds = elapsed.count(),
+      .cpu_seconds = static_cast<double>(cpu_time) / CLOCKS_PER_SEC,
+      .interrupted =
+          interrupted && info.samples_per_pixel < settings.samples_per_pixel,
+      .outputs = options.outputs,
+  };
+  for (const std::string& path : options.outputs) {
+    with_file(path, [&] { write_image(path, result, options.tone_mapping); });
+  }
+  if (const auto& path = options.report) {
+    with_file(*path, [&] { write_report(*path, report); });
+  }
+  say_what_was_dropped(info);
+  if (!options.quiet) say_what_was_rendered(report);
+  if (report.interrupted) {
+    std::fprintf(stderr,
+                 "%s: interrupted after %.0f of %d samples per pixel\n",
+                 program.name.c_str(), info.samples_per_pixel,
+                 settings.samples_per_pixel);
+    return 130;
+  }
+  return 0;
+}
+
+int tell_path(const Program& program, const Tracing& tracing,
+              const PixelSample& which, const LoadedScene& loaded,
+              const RenderSettings& settings) {
+  const Camera& camera = loaded.scene.camera;
+  if (which.column >= camera.width || which.row >= camera.height) {
+    return wrong_usage(program.name,
+                       "--pixel: " + std::to_string(which.column) + "," +
+                           std::to_string(which.row) +
+                           " is outside the picture of " +
+                           std::to_string(camera.width) + " x " +
+                           std::to_string(camera.height) + " pixels");
+  }
+  PathLog log;
+  path_log = &log;
+  const Vec3 radiance = tracing.sample(loaded.scene, settings, which);
+  path_log = nullptr;
+  std::printf("%s: pixel %d,%d, sample %u, seed %llu\n\n",
+              program.name.c_str(), which.column, which.row, which.sample,
+              static_cast<unsigned long long>(settings.seed));
+  std::fputs(path_story(log, radiance, loaded, settings).c_str(), stdout);
+  return 0;
+}
+
+int run_scene(const Program& program, const Tracing& tracing,
+              const Options& options) {
+  LoadedScene loaded = load_scene(options.scene, program.syllabus);
+  const RenderSettings settings = settings_for(program, options, loaded);
+  if (options.size) {
+    loaded.scene.camera.width = options.size->width;
+    loaded.scene.camera.height = options.size->height;
+  }
+  return options.pixel
+             ? tell_path(program, tracing, *options.pixel, loaded, settings)
+             : paint_scene(program, tracing, options, loaded, settings);
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const Program& program,
+        const Tracing& tracing) {
+  run_variant_for_this_processor(argv);
+  Options options;
+  const CommandLine expected{.program = program.name,
+                             .description = program.description,
+                             .most_bounces = program.most_bounces};
+  if (const auto code = parse_options(argc, argv, expected, options)) {
+    return *code;
+  }
+  try {
+    return run_scene(program, tracing, options);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "%s: there is not enough memory\n",
+                 program.name.c_str());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", program.name.c_str(),
+                 one_line(error.what()).c_str());
+  }
+  return 1;
+}
+
+}  // namespace lightwalk

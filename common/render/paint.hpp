@@ -1,0 +1,54 @@
+#pragma once
+
+// # A picture in one call
+//
+// A path tracer is a class that is made from a scene and settings and has a
+// function `radiance(ray, random)`. That is all that a picture needs:
+//
+//     const RenderResult picture = paint<stage4::PathTracer>(scene, {});
+//
+// examples/paint.cpp is a whole program around this line.
+
+#include <atomic>
+
+#include "common/image/render_result.hpp"
+#include "common/render/film.hpp"
+#include "common/render/render.hpp"
+#include "common/render/render_settings.hpp"
+#include "common/scene/scene.hpp"
+
+namespace lightwalk {
+
+/// Renders tiles with a path tracer of its own. The scene must stay.
+template <class PathTracer>
+TileRenderer tile_renderer(const Scene& scene,
+                           const RenderSettings& settings) {
+  return [&scene, seed = settings.seed, tracer = PathTracer(scene, settings)](
+             const Tile& tile, Film& film, const std::atomic<bool>& stop) {
+    render_tile(tracer, scene, seed, tile, film, stop);
+  };
+}
+
+/// The picture of a scene whose `geometry.prepare()` has been called. Ends
+/// early, with fewer samples, where `stop` is set; `progress` may be read
+/// meanwhile.
+template <class PathTracer>
+RenderResult paint(const Scene& scene, const RenderSettings& settings,
+                   const std::atomic<bool>& stop, RenderProgress& progress) {
+  Film film(scene.camera.width, scene.camera.height);
+  render(tile_renderer<PathTracer>(scene, settings), settings, film, stop,
+         progress);
+  return develop(film, {.seed = settings.seed,
+                        .max_bounces = settings.max_bounces,
+                        .rays = progress.rays});
+}
+
+/// The same, to its end.
+template <class PathTracer>
+RenderResult paint(const Scene& scene, const RenderSettings& settings) {
+  const std::atomic<bool> stop{false};
+  RenderProgress progress;
+  return paint<PathTracer>(scene, settings, stop, progress);
+}
+
+}  // namespace lightwalk
