@@ -1,6 +1,8 @@
 #pragma once
 
 // SHA-256 (FIPS 180-4): the fingerprint that ties an image to its scene file.
+// By hand: images carry it, anybody's `sha256sum` can check it, and libraries
+// that have it are whole collections of cryptography.
 
 #include <array>
 #include <bit>
