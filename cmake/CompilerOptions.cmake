@@ -14,9 +14,6 @@ else()
     # Rows of eight are written as such. What else GCC finds to put side by
     # side are the components of vectors, and then it shuffles them to and fro.
     target_compile_options(lightwalk INTERFACE -fno-tree-slp-vectorize)
-    # A path is one piece of code, and whenever it waits its numbers are on its
-    # stack already: nothing is won by saving registers around that call.
-    target_compile_options(lightwalk INTERFACE -fno-caller-saves)
   endif()
   if(LIGHTWALK_WARNINGS_AS_ERRORS)
     target_compile_options(lightwalk INTERFACE -Werror)

@@ -11,9 +11,9 @@ set -eu
 
 debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
   openimageio-tools libcli11-dev libtomlplusplus-dev doctest-dev
-  libbenchmark-dev libboost-context-dev nlohmann-json3-dev python3
+  libbenchmark-dev nlohmann-json3-dev python3
   python3-jsonschema"
-brew_packages="boost cmake ninja glm openimageio cli11 tomlplusplus doctest
+brew_packages="cmake ninja glm openimageio cli11 tomlplusplus doctest
   google-benchmark nlohmann-json"
 if [ "${1:-}" = site ]; then
   debian_packages="python3-venv"
@@ -67,8 +67,8 @@ else
     cat >&2 <<'TEXT'
 setup: this system has neither apt-get nor Homebrew. Please install:
   a C++20 compiler, CMake 3.22 or newer, Ninja (optional), GLM, OpenImageIO,
-  Boost.Context (optional),
-  CLI11, toml++ 3, nlohmann/json, doctest, Google Benchmark, Python 3.11 with jsonschema;
+  CLI11, toml++ 3, nlohmann/json, doctest, Google Benchmark,
+  Python 3.11 with jsonschema;
   for the book Node 20 with npm, for the slides also Chromium or Chrome.
   With vcpkg: `vcpkg install` in this folder reads vcpkg.json.
 TEXT

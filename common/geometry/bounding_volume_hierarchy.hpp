@@ -62,7 +62,6 @@ class BoundingVolumeHierarchy {
   static constexpr std::uint32_t no_shape = 0xffffffff;
 
   bool empty() const { return nodes_.empty(); }
-  std::size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 
   // #region walk
   /// Calls `visit(pack)` for the packs that the ray may meet, the nearest of
@@ -102,6 +101,26 @@ class BoundingVolumeHierarchy {
     }
   }
   // #endregion walk
+
+  /// Calls `visit(pack)` for the packs whose boxes meet this one, in their
+  /// order, until it returns false.
+  template <class Visit>
+  void visit_near(const Bounds& box, Visit visit) const {
+    std::array<std::int32_t, stack_size> later{};
+    std::size_t height = 1;
+    while (height > 0) {
+      const std::int32_t next = later[--height];
+      if (next < 0) {
+        if (!visit(static_cast<std::uint32_t>(~next))) return;
+        continue;
+      }
+      const Node& node = nodes_[static_cast<std::size_t>(next)];
+      const unsigned lanes = lanes_of(node.boxes.meet(box));
+      for (int lane = lane_count - 1; lane >= 0; --lane) {
+        if (lanes >> lane & 1) later[height++] = node.child[lane];
+      }
+    }
+  }
 
  private:
   /// A child is a node, or, as ~pack, a pack of shapes.

@@ -3,24 +3,28 @@
 // # What a ray meets
 //
 // All shapes of a scene, each type by itself, and the two questions that a
-// path tracer asks of them: which surface does this ray meet first, and is
-// there anything between these two points? The second is easier, since any
-// shape that is in the way will do, and it is asked for every light at every
+// path tracer asks of them: which surface does this ray meet first, and does
+// it reach that lamp? The second may stop at any shape that is in the way,
+// and need not look beyond the lamp. It is asked for every light at every
 // hit, so it is worth a function of its own.
+//
+// Shapes stand in slots, eight to a pack. The slots are counted through all
+// types, in the order planes, spheres, rectangles, triangles. A ray that
+// leaves a shape carries its slot.
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
+#include <tuple>
 #include <vector>
 
+#include "common/geometry/bounds.hpp"
 #include "common/geometry/inlining.hpp"
-#include "common/geometry/path_group.hpp"
 #include "common/geometry/plane.hpp"
 #include "common/geometry/ray.hpp"
-#include "common/geometry/ray_count.hpp"
 #include "common/geometry/rectangle_and_triangle.hpp"
 #include "common/geometry/shape_list.hpp"
 #include "common/geometry/sphere.hpp"
@@ -28,116 +32,116 @@
 namespace lightwalk {
 
 class Geometry {
- public:
-  void add(const Plane& plane) { planes_.add(plane); }
-  void add(const Sphere& sphere) { spheres_.add(sphere); }
-  void add(const Rectangle& rectangle) { rectangles_.add(rectangle); }
-  void add(const Triangle& triangle) { triangles_.add(triangle); }
+  using Planes = ShapeList<Plane, PlanePack>;
+  using Spheres = ShapeList<Sphere, SpherePack>;
+  using Rectangles = ShapeList<Rectangle, FlatPack<Rectangle>>;
+  using Triangles = ShapeList<Triangle, FlatPack<Triangle>>;
 
-  const std::vector<Plane>& planes() const { return planes_.shapes(); }
-  const std::vector<Sphere>& spheres() const { return spheres_.shapes(); }
+ public:
+  void add(const Plane& plane) { list<Planes>().add(plane); }
+  void add(const Sphere& sphere) { list<Spheres>().add(sphere); }
+  void add(const Rectangle& one) { list<Rectangles>().add(one); }
+  void add(const Triangle& triangle) { list<Triangles>().add(triangle); }
+
+  const std::vector<Plane>& planes() const { return list<Planes>().shapes(); }
+  const std::vector<Sphere>& spheres() const {
+    return list<Spheres>().shapes();
+  }
   const std::vector<Rectangle>& rectangles() const {
-    return rectangles_.shapes();
+    return list<Rectangles>().shapes();
   }
   const std::vector<Triangle>& triangles() const {
-    return triangles_.shapes();
+    return list<Triangles>().shapes();
   }
   std::size_t size() const {
     return planes().size() + spheres().size() + rectangles().size() +
            triangles().size();
   }
 
-  /// Sorts many shapes into boxes. Without it every answer is the same, and
+  /// Sorts many shapes into trees. Without it every answer is the same, and
   /// takes time in proportion to the number of shapes.
   void prepare() {
-    spheres_.prepare();
-    rectangles_.prepare();
-    triangles_.prepare();
+    std::apply([](auto&... list) { (list.prepare(), ...); }, lists_);
   }
 
   /// The first surface that the ray meets, if there is one.
   std::optional<Hit> nearest_hit(const Ray& ray) const {
-    ++rays_cast;
-    return hit_at(ray, path_group ? path_group->meet(ray) : meet(ray));
+    const Closest closest = intersect(ray, infinity);
+    if (!(closest.distance < infinity)) return std::nullopt;
+    return hit_at(ray, closest);
   }
 
-  /// Whether nothing lies between two points, neither of them on a surface.
-  bool visible(const Vec3& from, const Vec3& to) const {
-    ++rays_cast;
-    const Vec3 way = to - from;
-    const float distance = length(way);
-    const Ray ray{from, normalize(way)};
-    if (path_group) return !(path_group->meet(ray).distance < distance);
-    return !blocked(ray, distance);
+  /// Whether the ray meets any surface before `distance`.
+  bool occluded(const Ray& ray, float distance) const {
+    return std::apply(
+        [&, seen = std::int32_t{0}](const auto&... list) mutable {
+          return (occludes(list, ray, distance, seen) || ...);
+        },
+        lists_);
   }
 
-  /// Runs `work`, which follows paths until none is left. Where the shapes
-  /// are so few that every ray meets every shape, it is run sixteen times, in
-  /// turns; otherwise once.
-  void follow_paths(const std::function<void()>& work) const {
-    if (!spheres_.tree().empty() || !rectangles_.tree().empty() ||
-        !triangles_.tree().empty()) {
-      return work();
-    }
-    run_in_turns(work, [this](RayPacket& packet) { meet(packet); });
-  }
-
-  // #region meet-packet
-  /// What each of a packet's rays meets: the same, to the bit, as one ray by
-  /// itself.
-  LIGHTWALK_APART void meet(RayPacket& packet) const {
-    for (RayPacket::Row& row : packet.rows) {
-      row.distance = broadcast(infinity);
-    }
-    std::int32_t first = 0;
-    meet(planes_, first, packet);
-    meet(spheres_, first, packet);
-    meet(rectangles_, first, packet);
-    meet(triangles_, first, packet);
+  /// Whether the ray meets nothing before `distance` but the lamp, which is
+  /// met there to rounding.
+  bool reaches(const Ray& ray, float distance, const Light& lamp) const {
+    const Closest closest = intersect(ray, distance);
+    if (!(closest.distance < distance)) return true;
+    return hit_at(ray, closest).light == &lamp;
   }
 
  private:
-  template <class Shape, class Pack>
-  static void meet(const ShapeList<Shape, Pack>& list, std::int32_t& first,
-                   RayPacket& packet) {
-    const auto count = static_cast<std::int32_t>(list.shapes().size());
-    const Pack* const packs = list.packs().data();
-    for (std::int32_t i = 0; i < count; ++i) {
-      const auto shape = packs[i / lane_count].one(i % lane_count);
-      for (RayPacket::Row& row : packet.rows) {
-        const Float8 t = shape.intersect(row.rays);
-        const Int8 nearer = (t > 0.0f) & (t < row.distance);
-        row.distance = select(nearer, t, row.distance);
-        row.place = select(nearer, broadcast(first + i), row.place);
-      }
-    }
-    first += static_cast<std::int32_t>(list.place_count());
+  template <class List>
+  List& list() {
+    return std::get<List>(lists_);
   }
-  // #endregion meet-packet
+  template <class List>
+  const List& list() const {
+    return std::get<List>(lists_);
+  }
 
+  /// The first of the shapes that a ray meets.
+  struct Closest {
+    float distance;  ///< the search's limit where it meets nothing
+    std::int32_t slot;
+  };
+
+  /// Where the ray meets the shapes of a pack. The one that it leaves is met
+  /// again at a distance that the ray knows.
+  template <class Pack>
+  static Float8 distances(const Pack& pack, std::int32_t number,
+                          const Ray& ray) {
+    Float8 t = pack.intersect(ray);
+    if (ray.leaves >> 3 == number) t[ray.leaves & 7] = ray.again;
+    return t;
+  }
+  static_assert(lane_count == 8);
+
+  // #region nearest
   /// For each of the eight lanes, the nearest hit so far and its pack,
   /// counted through all types in the order in which they are considered.
   struct Nearest {
-    Float8 distance = broadcast(infinity);
-    Int8 pack = broadcast(std::int32_t{-1});
+    Float8 distance;
+    Int8 nearest_pack = broadcast(std::int32_t{-1});
     std::int32_t packs_seen = 0;
+
+    explicit Nearest(float limit) : distance(broadcast(limit)) {}
 
     template <class Shape, class Pack>
     void consider(const ShapeList<Shape, Pack>& list, const Ray& ray) {
       if (!list.tree().empty()) return consider_tree(list, ray);
-      for (const Pack& shapes : list.packs()) {
-        consider(shapes.intersect(ray), packs_seen);
+      for (const Pack& pack : list.packs()) {
+        consider(distances(pack, packs_seen, ray), packs_seen);
         ++packs_seen;
       }
     }
 
     /// The nearest of the lanes; of equally near ones the first shape.
-    FirstShape first() const {
-      FirstShape found{smallest(distance), packs_seen * lane_count};
+    Closest closest() const {
+      Closest found{smallest(distance), packs_seen * lane_count};
       unsigned lanes = lanes_of(distance == found.distance);
       for (; lanes != 0; lanes &= lanes - 1) {
         const int lane = std::countr_zero(lanes);
-        found.place = std::min(found.place, pack[lane] * lane_count + lane);
+        const std::int32_t slot = nearest_pack[lane] * lane_count + lane;
+        found.slot = std::min(found.slot, slot);
       }
       return found;
     }
@@ -145,7 +149,7 @@ class Geometry {
     void consider(const Float8& t, std::int32_t this_pack) {
       const Int8 nearer = (t > 0.0f) & (t < distance);
       distance = select(nearer, t, distance);
-      pack = select(nearer, broadcast(this_pack), pack);
+      nearest_pack = select(nearer, broadcast(this_pack), nearest_pack);
     }
 
     template <class Shape, class Pack>
@@ -153,9 +157,10 @@ class Geometry {
                                        const Ray& ray) {
       float end = smallest(distance);
       list.tree().walk(ray, end, [&](std::uint32_t i) {
-        const Float8 t = list.packs()[i].intersect(ray);
+        const std::int32_t number = packs_seen + static_cast<std::int32_t>(i);
+        const Float8 t = distances(list.packs()[i], number, ray);
         if (any((t > 0.0f) & (t < end))) {
-          consider(t, packs_seen + static_cast<std::int32_t>(i));
+          consider(t, number);
           end = smallest(distance);
         }
         return end;
@@ -163,87 +168,87 @@ class Geometry {
       packs_seen += static_cast<std::int32_t>(list.packs().size());
     }
   };
+  // #endregion nearest
+
+  /// What the ray meets first before `limit`.
+  Closest intersect(const Ray& ray, float limit) const {
+    Nearest nearest(limit);
+    std::apply(
+        [&](const auto&... list) { (nearest.consider(list, ray), ...); },
+        lists_);
+    return nearest.closest();
+  }
 
   template <class Shape, class Pack>
-  static bool blocks(const ShapeList<Shape, Pack>& list, const Ray& ray,
-                     float distance) {
-    if (!list.tree().empty()) return tree_blocks(list, ray, distance);
-    for (const Pack& shapes : list.packs()) {
-      const Float8 t = shapes.intersect(ray);
+  static bool occludes(const ShapeList<Shape, Pack>& list, const Ray& ray,
+                       float distance, std::int32_t& packs_seen) {
+    const std::int32_t first = packs_seen;
+    packs_seen += static_cast<std::int32_t>(list.packs().size());
+    if (!list.tree().empty()) {
+      return tree_occludes(list, ray, distance, first);
+    }
+    for (std::int32_t i = first; i < packs_seen; ++i) {
+      const Pack& pack = list.packs()[static_cast<std::size_t>(i - first)];
+      const Float8 t = distances(pack, i, ray);
       if (any((t > 0.0f) & (t < distance))) return true;
     }
     return false;
   }
 
   template <class Shape, class Pack>
-  LIGHTWALK_APART static bool tree_blocks(const ShapeList<Shape, Pack>& list,
-                                          const Ray& ray, float distance) {
-    bool blocked = false;
+  LIGHTWALK_APART static bool tree_occludes(
+      const ShapeList<Shape, Pack>& list, const Ray& ray, float distance,
+      std::int32_t first) {
+    bool occluded = false;
     list.tree().walk(ray, distance, [&](std::uint32_t i) {
-      const Float8 t = list.packs()[i].intersect(ray);
-      blocked = any((t > 0.0f) & (t < distance));
-      return blocked ? -1 : distance;  // nothing matters any more
+      const Float8 t = distances(list.packs()[i],
+                                 first + static_cast<std::int32_t>(i), ray);
+      occluded = any((t > 0.0f) & (t < distance));
+      return occluded ? -1 : distance;  // nothing matters any more
     });
-    return blocked;
-  }
-
-  /// What one ray meets, and what it needs no packet for: it meets a whole
-  /// pack of shapes at once.
-  LIGHTWALK_APART FirstShape meet(const Ray ray) const {
-    Nearest nearest;
-    nearest.consider(planes_, ray);
-    nearest.consider(spheres_, ray);
-    nearest.consider(rectangles_, ray);
-    nearest.consider(triangles_, ray);
-    return nearest.first();
-  }
-
-  /// Whether the ray meets anything before `distance`.
-  LIGHTWALK_APART bool blocked(const Ray ray, float distance) const {
-    return blocks(planes_, ray, distance) ||
-           blocks(spheres_, ray, distance) ||
-           blocks(rectangles_, ray, distance) ||
-           blocks(triangles_, ray, distance);
+    return occluded;
   }
 
   /// The shape that the ray meets, as a hit.
-  std::optional<Hit> hit_at(const Ray& ray, const FirstShape& first) const {
-    if (!(first.distance < infinity)) return std::nullopt;
+  Hit hit_at(const Ray& ray, const Closest& closest) const {
     Hit hit;
-    hit.distance = first.distance;
-    hit.position = ray.origin + first.distance * ray.direction;
-    auto place = static_cast<std::size_t>(first.place);
-    if (complete(planes_, ShapeType::plane, place, hit) ||
-        complete(spheres_, ShapeType::sphere, place, hit) ||
-        complete(rectangles_, ShapeType::rectangle, place, hit)) {
-      return hit;
-    }
-    complete(triangles_, ShapeType::triangle, place, hit);
+    hit.distance = closest.distance;
+    hit.slot = closest.slot;
+    hit.position = ray.origin + closest.distance * ray.direction;
+    hit.rounding = flat_rounding * max_abs_component(hit.position);
+    // Back by more than rounding may have moved it past another surface.
+    const float step = std::min(2 * hit.rounding, 0.5f * closest.distance);
+    const Vec3 back = step * ray.direction;
+    auto slot = static_cast<std::size_t>(closest.slot);
+    [[maybe_unused]] const bool found =
+        complete<Planes>(ShapeType::plane, slot, back, hit) ||
+        complete<Spheres>(ShapeType::sphere, slot, back, hit) ||
+        complete<Rectangles>(ShapeType::rectangle, slot, back, hit) ||
+        complete<Triangles>(ShapeType::triangle, slot, back, hit);
+    assert(found);
     return hit;
   }
 
-  /// Completes the hit if it is at one of this list's places; otherwise makes
-  /// `place` count from the next list's first.
-  template <class Shape, class Pack>
-  static bool complete(const ShapeList<Shape, Pack>& list, ShapeType type,
-                       std::size_t& place, Hit& hit) {
-    if (place >= list.place_count()) {
-      place -= list.place_count();
+  /// Completes the hit if it is in one of this list's slots; otherwise makes
+  /// `slot` count from the next list's first.
+  template <class List>
+  bool complete(ShapeType type, std::size_t& slot, const Vec3& back,
+                Hit& hit) const {
+    if (slot >= list<List>().slot_count()) {
+      slot -= list<List>().slot_count();
       return false;
     }
-    const std::size_t index = list.index(place);
-    const Shape& shape = list.shapes()[index];
+    const std::size_t index = list<List>().index(slot);
+    const auto& shape = list<List>().shapes()[index];
     hit.shape_type = type;
     hit.shape_index = static_cast<std::uint32_t>(index);
     hit.material = shape.material;
-    place_hit(shape, hit);
+    hit.light = shape.light;
+    place_hit(shape, back, hit);
     return true;
   }
 
-  ShapeList<Plane, PlanePack> planes_;
-  ShapeList<Sphere, SpherePack> spheres_;
-  ShapeList<Rectangle, FlatPack<Rectangle>> rectangles_;
-  ShapeList<Triangle, FlatPack<Triangle>> triangles_;
+  std::tuple<Planes, Spheres, Rectangles, Triangles> lists_;
 };
 
 }  // namespace lightwalk

@@ -20,22 +20,3 @@
 #else
 #define LIGHTWALK_APART
 #endif
-
-// ## Where paths may take turns
-//
-// With the library for it, and neither in builds for debugging nor under
-// sanitizers that keep watch over one stack for each thread: see
-// common/geometry/path_group.hpp.
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define LIGHTWALK_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define LIGHTWALK_SANITIZED
-#endif
-#endif
-
-#if defined(LIGHTWALK_BOOST_CONTEXT) && defined(NDEBUG) && \
-    !defined(LIGHTWALK_SANITIZED)
-#define LIGHTWALK_FIBERS
-#endif

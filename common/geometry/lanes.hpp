@@ -52,7 +52,7 @@ inline constexpr int part_count = 4 * lane_count / part_bytes;
 
 /// Eight numbers in as many parts as the processor needs.
 template <class Number, class Part>
-struct Row {
+struct Lanes {
   Part part[part_count];
 
   Number& operator[](int i) { return reinterpret_cast<Number*>(part)[i]; }
@@ -60,8 +60,8 @@ struct Row {
     return reinterpret_cast<const Number*>(part)[i];
   }
 };
-using Float8 = Row<float, FloatPart>;
-using Int8 = Row<std::int32_t, IntPart>;  // as a mask, 0 or -1 in each lane
+using Float8 = Lanes<float, FloatPart>;
+using Int8 = Lanes<std::int32_t, IntPart>;  // as a mask, 0 or -1 in each lane
 
 template <class Result, class Function>
 Result each_part(Function function) {
@@ -119,9 +119,9 @@ inline Int8 operator&(const Int8& a, const Int8& b) {
 
 /// In each lane `yes` where the mask is set, and otherwise `no`.
 template <class Number, class Part>
-Row<Number, Part> select(const Int8& mask, const Row<Number, Part>& yes,
-                         const Row<Number, Part>& no) {
-  return each_part<Row<Number, Part>>(
+Lanes<Number, Part> select(const Int8& mask, const Lanes<Number, Part>& yes,
+                           const Lanes<Number, Part>& no) {
+  return each_part<Lanes<Number, Part>>(
       [&](int i) { return mask.part[i] ? yes.part[i] : no.part[i]; });
 }
 /// The smaller of two numbers, neither of them not a number.
@@ -222,17 +222,8 @@ inline Float8 dot(const Vec3x8& a, const Vec3x8& b) {
 inline Vec3x8 operator-(const Vec3& a, const Vec3x8& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-inline Vec3x8 operator-(const Vec3x8& a, const Vec3x8& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Vec3x8 operator-(const Vec3x8& a, const Vec3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
 /// For each lane a, the vector a * b.
 inline Vec3x8 scale(const Float8& a, const Vec3& b) {
-  return {a * b.x, a * b.y, a * b.z};
-}
-inline Vec3x8 scale(const Float8& a, const Vec3x8& b) {
   return {a * b.x, a * b.y, a * b.z};
 }
 inline Vec3x8 operator+(const Vec3x8& a, const Vec3x8& b) {

@@ -20,43 +20,39 @@ struct Plane {
   Vec3 normal;     ///< unit
   float distance;  ///< d, the signed distance from the plane to the origin
   const Material* material;
+  static constexpr const Light* light = nullptr;  ///< it has no end
 };
 
-/// What is needed to meet a plane: of one plane, for eight rays, or of eight
-/// planes, for one ray.
-template <class Vector, class Number>
-struct PlaneForm {
-  Vector normal{};
-  Number distance{};
+/// What it takes to intersect eight planes. A lane that is not set is hit by
+/// no ray.
+struct PlanePack {
+  Vec3x8 normal;
+  Float8 distance{};
 
   // #region plane-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  template <class Rays>
-  Float8 intersect(const Rays& ray) const {
+  Float8 intersect(const Ray& ray) const {
     const Float8 height = dot(normal, ray.origin) + distance;
     return -height / dot(normal, ray.direction);
   }
   // #endregion plane-intersection
-};
 
-/// Eight planes. A lane that is not set is hit by no ray.
-struct PlanePack : PlaneForm<Vec3x8, Float8> {
   void set(int lane, const Plane& plane) {
     normal.set(lane, plane.normal);
     distance[lane] = plane.distance;
   }
-  PlaneForm<Vec3, float> one(int lane) const {
-    return {normal[lane], distance[lane]};
-  }
 };
 
-/// Completes a hit at `hit.position`, which rounding has put near the plane.
-inline void place_hit(const Plane& plane, Hit& hit) {
+/// Completes a hit at `hit.position`, which rounding has put near the plane,
+/// and moves it back by `back` within the plane.
+inline void place_hit(const Plane& plane, const Vec3& back, Hit& hit) {
   hit.normal = plane.normal;
-  hit.position -=
-      plane.normal * (dot(plane.normal, hit.position) + plane.distance);
-  hit.magnitude =
-      std::max(max_abs_component(hit.position), std::abs(plane.distance));
+  hit.position -= back;
+  const double height =
+      dot(DoubleVec3(plane.normal), DoubleVec3(hit.position)) +
+      static_cast<double>(plane.distance);
+  hit.position -= static_cast<float>(height) * plane.normal;
+  hit.diameter = 0;
 }
 
 }  // namespace lightwalk

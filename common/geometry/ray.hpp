@@ -8,11 +8,18 @@
 
 namespace lightwalk {
 
+struct Light;
 struct Material;
+
+/// A slot that no shape has: see Geometry.
+inline constexpr std::int32_t no_slot = -1;
 
 /// A half-line. `direction` is a unit vector.
 struct Ray {
   Vec3 origin, direction;
+  std::int32_t leaves = no_slot;  ///< the slot of the shape that it starts on
+  float again =
+      0;  ///< where it meets that shape again; 0 where it never does
 };
 
 enum class ShapeType : std::uint8_t { plane, sphere, rectangle, triangle };
@@ -22,49 +29,59 @@ struct Hit {
   float distance;  ///< from the ray's origin
   Vec3 position;   ///< on the surface, to rounding
   Vec3 normal;     ///< unit, outwards: the shape's own, not turned to the ray
-  float magnitude;  ///< the size of the numbers `position` was made from
+  float rounding;  ///< how far off the surface `position` may be
+  float diameter;  ///< of a sphere; 0 for what is flat
+  std::int32_t slot;  ///< the shape's, as Geometry counts them
   ShapeType shape_type;
   std::uint32_t shape_index;  ///< among the scene's shapes of that type
   const Material* material;
+  const Light* light;  ///< the one that the shape is; null if it is none
 };
 
 // ## Leaving a surface
 //
-// A hit point is rounded to floats, so it lies a little above or below its
-// surface, and a ray that starts exactly there may hit the same surface again
-// at once: half of the floor is then in its own shadow, in a pattern of black
-// dots. So a ray starts a little off the surface, along the normal, on the
-// side that it leaves to.
+// A hit's position is rounded to floats, so it lies a little above or below
+// its surface. A ray that starts there would often meet the same surface
+// again at once. Half of the floor is then in its own shadow, in a pattern of
+// black dots that is called shadow acne.
 //
-// How little? Floats have 24 bits, so rounding moves a coordinate of 1 by up
-// to $6 \cdot 10^{-8}$, and a coordinate of 1000 by a thousand times as much.
-// A fixed offset that suits the box near the origin is lost in the rounding a
-// kilometre away, and one that suits the far end lets light leak under the
-// spheres here. The offset is therefore in proportion to the size of the
-// numbers that the position was computed from: 2^-16 of it, some 256
-// roundings.
+// The usual cure starts the ray a small step away from the surface, and is
+// never right: a step that is large enough for acne jumps over whatever is
+// thinner, a pane of glass or the gap under a ball.
+//
+// But it is known what a ray can meet again of the shape that it leaves. Of
+// something flat: nothing. Of a sphere: nothing outside, and inside the one
+// point on the far side. A chord of a sphere of diameter $2r$ that makes an
+// angle $\theta$ with the normal has the length $2r\,|\cos\theta|$. So a ray
+// carries the shape that it leaves and the distance to that point, and this
+// shape is not intersected like the others.
+//
+// What remains is rounding itself. Of a position on something flat, the last
+// of 24 bits is off. The ray starts that far in front of the surface, so that
+// a neighbor in the same plane is behind it. It is not much farther, because
+// every step into a room makes the room smaller: 10 km from the origin, the
+// step is 1 mm.
 
 // #region leave-surface
-inline constexpr float surface_offset = 0x1p-16f;
+/// How far off something flat a hit may be, per length of its largest
+/// coordinate: a unit in the last place.
+inline constexpr float flat_rounding = 0x1p-23f;
 
-/// `position` moved off its surface, to the side that `direction` points to.
-inline Vec3 off_surface(const Vec3& position, const Vec3& normal,
-                        float magnitude, const Vec3& direction) {
-  const float offset =
-      std::copysign(surface_offset * magnitude, dot(direction, normal));
-  return position + offset * normal;
-}
-
-/// Where a ray in `direction` starts that leaves the surface at `hit`.
+/// Where a ray starts that leaves the surface at `hit` in `direction`.
 inline Vec3 leave(const Hit& hit, const Vec3& direction) {
-  return off_surface(hit.position, hit.normal, hit.magnitude, direction);
-}
-
-/// The ray that leaves the surface at `hit` in the unit vector `direction`.
-inline Ray spawn_ray(const Hit& hit, const Vec3& direction) {
-  return {leave(hit, direction), direction};
+  const float side = std::copysign(1.0f, dot(direction, hit.normal));
+  return hit.position + side * hit.rounding * hit.normal;
 }
 // #endregion leave-surface
+
+// #region spawn-ray
+/// The ray that leaves the surface at `hit` in the unit vector `direction`.
+inline Ray spawn_ray(const Hit& hit, const Vec3& direction) {
+  const float cos_theta = dot(direction, hit.normal);
+  return {leave(hit, direction), direction, hit.slot,
+          -hit.diameter * cos_theta};
+}
+// #endregion spawn-ray
 
 /// The hit's normal, turned to the side that `direction` is on.
 inline Vec3 normal_towards(const Hit& hit, const Vec3& direction) {

@@ -23,13 +23,14 @@
 namespace lightwalk {
 
 /// A flat piece of surface, spanned from `corner` by two edges.
-struct Flat {
+struct FlatShape {
   Vec3 corner, edge_u, edge_v;
   Vec3 normal;  ///< unit, along edge_u x edge_v
   const Material* material;
+  const Light* light = nullptr;  ///< the scene's light that it is, if any
 
-  Flat(const Vec3& corner_, const Vec3& edge_u_, const Vec3& edge_v_,
-       const Material* material_)
+  FlatShape(const Vec3& corner_, const Vec3& edge_u_, const Vec3& edge_v_,
+            const Material* material_)
       : corner(corner_),
         edge_u(edge_u_),
         edge_v(edge_v_),
@@ -53,26 +54,25 @@ struct Flat {
 };
 
 /// corner + s edge_u + t edge_v with 0 <= s, t <= 1.
-struct Rectangle : Flat {
-  using Flat::Flat;
+struct Rectangle : FlatShape {
+  using FlatShape::FlatShape;
 };
 
 /// corner + s edge_u + t edge_v with 0 <= s, t and s + t <= 1.
-struct Triangle : Flat {
-  using Flat::Flat;
+struct Triangle : FlatShape {
+  using FlatShape::FlatShape;
 };
 
-/// What is needed to meet a rectangle or a triangle: of one of them, for
-/// eight rays, or of eight of them, for one ray.
-template <class Shape, class Vector, class Number>
-struct FlatForm {
-  Vector corner{}, normal{}, dual_u{}, dual_v{};
-  Number size_u{}, size_v{};  // of the duals
+/// What it takes to intersect eight rectangles, or eight triangles. A lane
+/// that is not set is hit by no ray.
+template <class Shape>
+struct FlatPack {
+  Vec3x8 corner, normal, dual_u, dual_v;
+  Float8 size_u{}, size_v{};  // of the duals
 
   // #region flat-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  template <class Rays>
-  Float8 intersect(const Rays& ray) const {
+  Float8 intersect(const Ray& ray) const {
     const Vec3x8 from_corner = ray.origin - corner;
     const Float8 slope = dot(normal, ray.direction);
     const Float8 distance = -dot(normal, from_corner) / slope;
@@ -92,31 +92,27 @@ struct FlatForm {
     return select(inside, distance, broadcast(infinity));
   }
   // #endregion flat-intersection
-};
 
-/// Eight rectangles or eight triangles. A lane that is not set is never hit.
-template <class Shape>
-struct FlatPack : FlatForm<Shape, Vec3x8, Float8> {
-  void set(int lane, const Flat& flat) {
-    this->corner.set(lane, flat.corner);
-    this->normal.set(lane, flat.normal);
-    this->dual_u.set(lane, flat.dual_u());
-    this->dual_v.set(lane, flat.dual_v());
-    this->size_u[lane] = length(flat.dual_u());
-    this->size_v[lane] = length(flat.dual_v());
-  }
-  FlatForm<Shape, Vec3, float> one(int lane) const {
-    return {this->corner[lane], this->normal[lane], this->dual_u[lane],
-            this->dual_v[lane], this->size_u[lane], this->size_v[lane]};
+  void set(int lane, const FlatShape& flat) {
+    corner.set(lane, flat.corner);
+    normal.set(lane, flat.normal);
+    dual_u.set(lane, flat.dual_u());
+    dual_v.set(lane, flat.dual_v());
+    size_u[lane] = length(flat.dual_u());
+    size_v[lane] = length(flat.dual_v());
   }
 };
 
-/// Completes a hit at `hit.position`, which rounding has put near the plane.
-inline void place_hit(const Flat& flat, Hit& hit) {
+/// Completes a hit at `hit.position`, which rounding has put near the plane,
+/// and moves it back by `back` within the plane.
+inline void place_hit(const FlatShape& flat, const Vec3& back, Hit& hit) {
   hit.normal = flat.normal;
-  hit.position -= flat.normal * dot(flat.normal, hit.position - flat.corner);
-  hit.magnitude =
-      max_abs_component(hit.position) + max_abs_component(flat.corner);
+  hit.position -= back;
+  const DoubleVec3 from_corner =
+      DoubleVec3(hit.position) - DoubleVec3(flat.corner);
+  const double height = dot(DoubleVec3(flat.normal), from_corner);
+  hit.position -= static_cast<float>(height) * flat.normal;
+  hit.diameter = 0;
 }
 
 }  // namespace lightwalk

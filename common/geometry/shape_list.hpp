@@ -7,11 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <vector>
 
 #include "common/geometry/bounding_volume_hierarchy.hpp"
-#include "common/geometry/plane.hpp"
 
 namespace lightwalk {
 
@@ -31,13 +29,13 @@ class ShapeList {
   /// Arranges the packs for fast search, if there are many shapes. Shapes
   /// that are added later undo it.
   void prepare() {
-    if constexpr (!std::is_same_v<Shape, Plane>) {  // has no box
+    if constexpr (requires(const Shape& one) { bounds(one); }) {
       if (shapes_.size() < many_shapes || !tree_.empty()) return;
       tree_ = BoundingVolumeHierarchy(shapes_, order_);
       packs_ = {};
       packs_.reserve(order_.size() / lane_count);
-      for (std::size_t place = 0; place < order_.size(); ++place) {
-        add_to_packs(place, order_[place]);
+      for (std::size_t slot = 0; slot < order_.size(); ++slot) {
+        add_to_packs(slot, order_[slot]);
       }
     }
   }
@@ -47,16 +45,16 @@ class ShapeList {
   const BoundingVolumeHierarchy& tree() const { return tree_; }
 
   /// Lanes of all packs, also those that are not set.
-  std::size_t place_count() const { return packs_.size() * lane_count; }
+  std::size_t slot_count() const { return packs_.size() * lane_count; }
 
-  /// The index of the shape at a place: place 11 is lane 3 of pack 1.
-  std::size_t index(std::size_t place) const {
-    return order_.empty() ? place : order_[place];
+  /// The index of the shape in a slot: slot 11 is lane 3 of pack 1.
+  std::size_t index(std::size_t slot) const {
+    return order_.empty() ? slot : order_[slot];
   }
 
  private:
-  void add_to_packs(std::size_t place, std::size_t index) {
-    const int lane = static_cast<int>(place % lane_count);
+  void add_to_packs(std::size_t slot, std::size_t index) {
+    const int lane = static_cast<int>(slot % lane_count);
     if (lane == 0) packs_.emplace_back();
     if (index < shapes_.size()) packs_.back().set(lane, shapes_[index]);
   }

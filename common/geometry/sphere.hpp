@@ -14,6 +14,12 @@
 // - With $b = -f \cdot \omega$, one root is $q = b \pm \sqrt{\cdot}$ with the
 //   sign that adds, the other is $(f \cdot f - r^2) / q$.
 //
+// Of a sphere of the size of the Earth, under a house, $f$ itself is rounded
+// to half a meter. What $f \cdot f - r^2$ needs is the distance from the
+// sphere, not from its center: let $a$ be the point of the sphere that is
+// nearest to the scene's origin, $g = o - a$ and $s = a - c$. Then
+// $f = g + s$ and $s \cdot s = r^2$, and what remains is $g \cdot (g + 2s)$.
+//
 // Of the two, the nearer that lies ahead counts. From inside, the nearer one
 // lies behind: a sphere that only knows its near root cannot be left again.
 
@@ -26,25 +32,28 @@ struct Sphere {
   Vec3 center;
   float radius;
   const Material* material;
+  const Light* light = nullptr;  ///< the scene's light that it is, if any
 };
 
-/// What is needed to meet a sphere: of one sphere, for eight rays, or of
-/// eight spheres, for one ray.
-template <class Vector, class Number>
-struct SphereForm {
-  Vector center{};
-  Number radius_squared{};
+/// What it takes to intersect eight spheres. A lane that is not set is hit by
+/// no ray.
+struct SpherePack {
+  Vec3x8 center;
+  Float8 radius_squared = broadcast(-1.0f);
+  bool has_large = false;
+  Vec3x8 anchor, spoke;  // of a large sphere
+  Float8 error{};        // spoke . spoke - r^2
 
   // #region sphere-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  template <class Rays>
-  Float8 intersect(const Rays& ray) const {
-    const auto f = ray.origin - center;
+  Float8 intersect(const Ray& ray) const {
+    const Vec3x8 f = ray.origin - center;
     const Float8 b = -dot(f, ray.direction);
     const Vec3x8 beside = f + scale(b, ray.direction);
     const Float8 discriminant = radius_squared - dot(beside, beside);
     const Float8 root = sqrt(discriminant);  // not a number where it misses
-    const Float8 product = dot(f, f) - radius_squared;
+    const Float8 product =
+        has_large ? product_of_roots(ray) : dot(f, f) - radius_squared;
     const Int8 center_is_ahead = b > 0.0f;
     const Float8 q = b + select(center_is_ahead, root, -root);
     const Float8 other = product / q;
@@ -53,28 +62,44 @@ struct SphereForm {
     return select(near > 0.0f, near, far);
   }
   // #endregion sphere-intersection
-};
 
-/// Eight spheres. A lane that is not set is hit by no ray.
-struct SpherePack : SphereForm<Vec3x8, Float8> {
-  SpherePack() { radius_squared = broadcast(-1.0f); }
+  /// The same as f . f - r^2, with all its digits if a sphere is large.
+  Float8 product_of_roots(const Ray& ray) const {
+    const Vec3x8 g = ray.origin - anchor;
+    return dot(g, g + spoke + spoke) + error;
+  }
 
   void set(int lane, const Sphere& sphere) {
     center.set(lane, sphere.center);
     radius_squared[lane] = sphere.radius * sphere.radius;
-  }
-  SphereForm<Vec3, float> one(int lane) const {
-    return {center[lane], radius_squared[lane]};
+
+    const DoubleVec3 c(sphere.center);
+    const auto r = static_cast<double>(sphere.radius);
+    const double away = length(c);
+    const bool large = r > 16 * std::abs(away - r);
+    has_large = has_large || large;
+    const Vec3 near = large ? Vec3(c * (1 - r / away)) : sphere.center;
+    const DoubleVec3 from_center = DoubleVec3(near) - c;
+    anchor.set(lane, near);
+    spoke.set(lane, Vec3(from_center));
+    error[lane] = static_cast<float>(dot(from_center, from_center) - r * r);
   }
 };
 
-/// Completes a hit at `hit.position`, which rounding has put near the sphere.
-inline void place_hit(const Sphere& sphere, Hit& hit) {
-  const Vec3 out = hit.position - sphere.center;
+/// Completes a hit at `hit.position`, which rounding has put near the sphere,
+/// and moves it back by `back` along the sphere.
+inline void place_hit(const Sphere& sphere, const Vec3& back, Hit& hit) {
+  const DoubleVec3 center(sphere.center);
+  const DoubleVec3 out = DoubleVec3(hit.position) - center;
   // The center itself is hit where the sphere is smaller than rounding.
-  hit.normal = dot(out, out) > 0 ? normalize(out) : Vec3(0, 0, 1);
-  hit.position = sphere.center + sphere.radius * hit.normal;
-  hit.magnitude = max_abs_component(sphere.center) + sphere.radius;
+  const DoubleVec3 normal =
+      dot(out, out) > 0 ? normalize(out) : DoubleVec3(0, 0, 1);
+  hit.normal = Vec3(normal);
+  const Vec3 along = back - dot(back, hit.normal) * hit.normal;
+  hit.position = Vec3(center + static_cast<double>(sphere.radius) * normal -
+                      DoubleVec3(along));
+  hit.rounding = 0;
+  hit.diameter = 2 * sphere.radius;
 }
 
 }  // namespace lightwalk

@@ -18,6 +18,7 @@ namespace lightwalk {
 
 using Vec2 = glm::vec2;
 using Vec3 = glm::vec3;
+using DoubleVec3 = glm::dvec3;  ///< where a float's 24 bits are too few
 
 using glm::cross;
 using glm::dot;
@@ -34,10 +35,15 @@ inline float max_component(const Vec3& v) {
   return std::max(v.x, std::max(v.y, v.z));
 }
 
-/// The largest of the three components' sizes. `glm::abs` would ask for the
-/// sign of each, and half of the guesses a processor makes at it are wrong.
+/// Each component without its sign. `glm::abs` would ask for the sign, and
+/// half of the guesses a processor makes at it are wrong.
+inline Vec3 absolute(const Vec3& v) {
+  return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+}
+
+/// The largest of the three components' sizes.
 inline float max_abs_component(const Vec3& v) {
-  return max_component({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return max_component(absolute(v));
 }
 
 /// False where a component is infinite or not a number.

@@ -181,6 +181,12 @@ int tell_path(const Program& program, const Tracing& tracing,
 int run_scene(const Program& program, const Tracing& tracing,
               const Options& options) {
   LoadedScene loaded = load_scene(options.scene, program.syllabus);
+  if (!options.quiet) {
+    for (const std::string& warning : loaded.warnings) {
+      std::fprintf(stderr, "%s: %s\n", program.name.c_str(),
+                   one_line(warning).c_str());
+    }
+  }
   const RenderSettings settings = settings_for(program, options, loaded);
   if (options.size) {
     loaded.scene.camera.width = options.size->width;

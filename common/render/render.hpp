@@ -3,11 +3,9 @@
 // # Rendering a picture
 //
 // The picture is cut into tiles, and each thread takes the next tile from a
-// counter until none is left. Within a tile several paths take turns
-// (common/geometry/path_group.hpp), each with pixels of its own. A sample's random
-// numbers depend on the pixel and the sample alone, and a pixel's samples are
-// added in order by whichever thread has its tile: so any number of threads
-// gives the same bits.
+// counter until none is left. A sample's random numbers depend on the pixel
+// and the sample alone, and a pixel's samples are added in order by whichever
+// thread has its tile: so any number of threads gives the same bits.
 //
 // The samples are taken in passes over the whole picture, so that a render
 // that is interrupted leaves a whole picture with fewer samples behind.
@@ -19,11 +17,9 @@
 #include <functional>
 #include <system_error>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "common/geometry/inlining.hpp"
-#include "common/geometry/ray_count.hpp"
 #include "common/math/random.hpp"
 #include "common/render/film.hpp"
 #include "common/render/render_settings.hpp"
@@ -58,47 +54,24 @@ Vec3 sample_radiance(const PathTracer& tracer, const Scene& scene,
 }
 
 // #region render-tile
-/// The pixels of a tile that are not taken yet.
-class PixelQueue {
- public:
-  explicit PixelQueue(const Tile& tile) : tile_(tile), row_(tile.top) {}
-
-  bool empty() const { return row_ == tile_.bottom; }
-
-  /// The next pixel's column and row.
-  std::pair<int, int> take() {
-    const std::pair pixel{column_, row_};
-    if (++column_ == tile_.right) {
-      column_ = tile_.left;
-      ++row_;
-    }
-    return pixel;
-  }
-
- private:
-  Tile tile_;
-  int column_ = tile_.left, row_;
-};
-
 /// Renders one tile with a stage's path tracer, whose function
 /// `radiance(ray, random)` returns the light that comes back along a ray.
 template <class PathTracer>
-void render_tile(const PathTracer& tracer, const Scene& scene,
-                 std::uint64_t seed, const Tile& tile, Film& film,
-                 const std::atomic<bool>& stop) {
-  PixelQueue queue(tile);
-  const auto render_pixels = [&]() LIGHTWALK_IN_ONE_PIECE {
-    while (!queue.empty() && !stop.load(std::memory_order_relaxed)) {
-      const auto [column, row] = queue.take();
-      Pixel pixel = film.pixel(column, row);
+LIGHTWALK_IN_ONE_PIECE void render_tile(const PathTracer& tracer,
+                                        const Scene& scene,
+                                        std::uint64_t seed, const Tile& tile,
+                                        Film& film,
+                                        const std::atomic<bool>& stop) {
+  for (int row = tile.top; row < tile.bottom; ++row) {
+    for (int column = tile.left; column < tile.right; ++column) {
+      if (stop.load(std::memory_order_relaxed)) return;
+      Pixel& pixel = film.pixel(column, row);
       for (std::uint32_t sample = tile.first; sample < tile.last; ++sample) {
         pixel.add(
             sample_radiance(tracer, scene, seed, {column, row, sample}));
       }
-      film.pixel(column, row) = pixel;
     }
-  };
-  scene.geometry.follow_paths(std::cref(render_pixels));
+  }
 }
 // #endregion render-tile
 

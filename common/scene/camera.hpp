@@ -2,8 +2,8 @@
 
 // # The camera
 //
-// A pinhole at `origin`. The image plane is centered at `origin + forward` and
-// reaches from there by `left` to its left edge and by `up` to its upper one:
+// A pinhole at `origin`. The image plane is centered at `origin + forward`,
+// and reaches from there by `left` to its left edge and by `up` to its upper:
 // with $|L| = 1$ and $|F| = 3$ the picture is 2 wide at distance 3. Column 0
 // is at the left, row 0 at the top. The three vectors need not be
 // perpendicular, nor of the same length.

@@ -7,6 +7,8 @@
 // that a point on them can be chosen. A plane is infinite and has no such
 // choice; it is found by rays that happen to hit it, and so is a triangle.
 
+#include <variant>
+
 #include "common/math/vector.hpp"
 
 namespace lightwalk {
@@ -27,6 +29,11 @@ struct SphereLight {
   Vec3 center;
   float radius;
   Vec3 radiance;  ///< W/(m^2 sr)
+};
+
+/// One light of a scene. Shapes that are lights point to it.
+struct Light {
+  std::variant<PointLight, RectangleLight, SphereLight> form;
 };
 
 }  // namespace lightwalk

@@ -25,6 +25,9 @@ struct Material {
 
   /// An emitter neither reflects nor refracts: a path ends at it.
   bool emits() const { return !is_black(ke); }
+
+  /// Whether light may go through.
+  bool refracts() const { return !is_black(kt) || varying_kt; }
 };
 
 }  // namespace lightwalk

@@ -12,6 +12,7 @@
 
 #include "common/render/render_settings.hpp"
 #include "common/scene/scene.hpp"
+#include "common/scene_file/coincident_shapes.hpp"
 #include "common/scene_file/loaded_scene.hpp"
 #include "common/scene_file/material_reader.hpp"
 #include "common/scene_file/sha256.hpp"
@@ -27,7 +28,7 @@ class SceneReader {
   SceneReader(const Syllabus& syllabus, std::string folder)
       : syllabus_(syllabus),
         materials_(syllabus, std::move(folder), loaded_.scene),
-        shapes_(materials_, loaded_.scene) {}
+        shapes_(materials_, loaded_) {}
 
   LoadedScene read(const toml::table& root) {
     const TomlTable file(
@@ -167,6 +168,9 @@ inline LoadedScene parse_scene(std::string_view text, const std::string& path,
                   std::filesystem::path(path).parent_path().string())
           .read(root);
   loaded.sha256 = sha256(text);
+  if (const auto warning = coincident_shapes(loaded)) {
+    loaded.warnings.push_back(path + ':' + *warning);
+  }
   return loaded;
 }
 

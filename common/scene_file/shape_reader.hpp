@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "common/scene/scene.hpp"
+#include "common/scene_file/loaded_scene.hpp"
 #include "common/scene_file/material_reader.hpp"
 #include "common/scene_file/toml_reader.hpp"
 
@@ -26,11 +26,11 @@ inline Vec3 unit(const TomlTable& table, const char* key) {
   return normalize(v / size);
 }
 
-/// Adds shapes to a scene.
+/// Adds shapes to a scene, and notes where they stand.
 class ShapeReader {
  public:
-  ShapeReader(const MaterialReader& materials, Scene& scene)
-      : materials_(materials), scene_(scene) {}
+  ShapeReader(const MaterialReader& materials, LoadedScene& loaded)
+      : materials_(materials), loaded_(loaded) {}
 
   void read(const toml::node& node) {
     if (!node.is_table()) {
@@ -60,8 +60,9 @@ class ShapeReader {
     if (!(std::abs(distance) <= 1e12)) {
       fail_at(node, "the plane is more than 1e12 away from the origin");
     }
-    scene_.add(Plane{direction, static_cast<float>(distance),
-                     materials_.named_by(table)});
+    add(node, ShapeType::plane,
+        Plane{direction, static_cast<float>(distance),
+              materials_.named_by(table)});
   }
 
   void read_sphere(const toml::node& node) {
@@ -77,7 +78,8 @@ class ShapeReader {
       fail_at(table.at("radius"),
               table.label("radius") + " is smaller than 1e-12");
     }
-    scene_.add(Sphere{center, radius, materials_.named_by(table)});
+    add(node, ShapeType::sphere,
+        Sphere{center, radius, materials_.named_by(table)});
   }
 
   void read_rectangle(const toml::node& node) {
@@ -86,9 +88,11 @@ class ShapeReader {
     const Vec3 corner = table.vector("corner");
     unit(table, "edge_u");
     unit(table, "edge_v");
-    add_flat(node, "the rectangle's edges",
-             Rectangle(corner, table.vector("edge_u"), table.vector("edge_v"),
-                       materials_.named_by(table)));
+    const Rectangle rectangle(corner, table.vector("edge_u"),
+                              table.vector("edge_v"),
+                              materials_.named_by(table));
+    check_area(node, "the rectangle's edges", rectangle);
+    add(node, ShapeType::rectangle, rectangle);
   }
 
   void read_triangle(const toml::node& node) {
@@ -105,14 +109,22 @@ class ShapeReader {
     for (std::size_t i = 0; i < 3; ++i) {
       vertex[i] = read_vector(*array->get(i), "a vertex of a triangle");
     }
-    add_flat(list, "the triangle's vertices",
-             Triangle(vertex[0], vertex[1] - vertex[0], vertex[2] - vertex[0],
-                      materials_.named_by(table)));
+    const Triangle triangle(vertex[0], vertex[1] - vertex[0],
+                            vertex[2] - vertex[0],
+                            materials_.named_by(table));
+    check_area(list, "the triangle's vertices", triangle);
+    add(node, ShapeType::triangle, triangle);
   }
 
   template <class Shape>
-  void add_flat(const toml::node& node, const std::string& what,
-                const Shape& flat) {
+  void add(const toml::node& node, ShapeType type, const Shape& shape) {
+    loaded_.scene.add(shape);
+    const toml::source_position place = node.source().begin;
+    loaded_.shape_places[type].push_back({place.line, place.column});
+  }
+
+  static void check_area(const toml::node& node, const std::string& what,
+                         const FlatShape& flat) {
     // In double precision, where neither squares nor rounding matter.
     const glm::dvec3 u = flat.edge_u, v = flat.edge_v;
     if (!(length(glm::cross(u, v)) > 1e-6 * length(u) * length(v))) {
@@ -122,11 +134,10 @@ class ShapeReader {
         !is_finite(flat.dual_v())) {
       fail_at(node, what + " span an area that is too small or too large");
     }
-    scene_.add(flat);
   }
 
   const MaterialReader& materials_;
-  Scene& scene_;
+  LoadedScene& loaded_;
 };
 
 }  // namespace lightwalk

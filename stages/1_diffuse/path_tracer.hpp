@@ -25,6 +25,7 @@
 #include "common/math/sine_cosine.hpp"
 #include "common/render/render_settings.hpp"
 #include "common/scene/scene.hpp"
+#include "common/scene/surface.hpp"
 
 namespace lightwalk::stage1 {
 
@@ -163,15 +164,16 @@ inline Vec3 unsimplified_weight(const Material& material, float cos_theta,
   return evaluate(material) * cos_theta / pdf;
 }
 
-/// A direction about `normal`, which is on the side of `wo`, and its weight
-/// with all that cancels left out.
-inline BsdfSample sample(const Material& material, const Vec3& normal,
-                         Sampling sampling, const Vec2& u) {
+/// A direction on the side of `wo`, and its weight with all that cancels left
+/// out.
+inline BsdfSample sample(const Surface& surface, Sampling sampling,
+                         const Vec2& u) {
+  const Vec3& kd = surface.material.kd;
   if (sampling == Sampling::uniform) {
-    const Vec3 wi = sample_uniform_hemisphere(normal, u);
-    return {wi, 2 * dot(normal, wi) * material.kd};
+    const Vec3 wi = sample_uniform_hemisphere(surface.normal, u);
+    return {wi, 2 * dot(surface.normal, wi) * kd};
   }
-  return {sample_cosine_hemisphere(normal, u), material.kd};
+  return {sample_cosine_hemisphere(surface.normal, u), kd};
 }
 // #endregion weight
 
@@ -180,9 +182,10 @@ inline BsdfSample sample(const Material& material, const Vec3& normal,
 // A lamp shines on the side that its normal points to, and its back is black.
 
 // #region emitted
-/// Radiance that the surface at `hit` emits towards `wo`.
-inline Vec3 emitted(const Hit& hit, const Vec3& wo) {
-  return dot(hit.normal, wo) > 0 ? hit.material->ke : Vec3(0);
+/// Radiance that the surface emits towards `wo`.
+inline Vec3 emitted(const Surface& surface) {
+  const bool front = dot(surface.hit.normal, surface.wo) > 0;
+  return front ? surface.material.ke : Vec3(0);
 }
 // #endregion emitted
 
@@ -202,8 +205,11 @@ inline Vec3 emitted(const Hit& hit, const Vec3& wo) {
 // makes the picture too dark. How much light goes missing depends on the
 // walls: with $k_d = 0.8$ the eighth bounce still carries a sixth.
 //
-// The wall's normal may point to either side; the path is on the side it came
-// from, so the normal is turned there first.
+// What the path needs to know of the place where it is, is a `Surface`: the
+// hit, the material, the direction `wo` back along the path, and the normal.
+// The wall's own normal may point to either side; the path is on the side it
+// came from, so a surface's normal is turned there. `log_vertex` changes
+// nothing: it tells the option `--pixel` where the path is.
 //
 // Rays that find the lamp only by chance find it seldom when it is small: a
 // few paths bring much, most bring nothing, and the picture is full of
@@ -225,18 +231,16 @@ class PathTracer {
       // Find the next surface.
       const std::optional<Hit> hit = scene_.nearest_hit(ray);
       if (!hit) return Vec3(0);
-      const Material& material = *hit->material;
-      const Vec3 wo = -ray.direction;
-      log_vertex(Surface(*hit, material, wo), throughput, Vec3(0), bounce);
+      const Surface surface(*hit, *hit->material, -ray.direction);
+      log_vertex(surface, throughput, Vec3(0), bounce);
 
       // An emitter ends the path.
-      if (material.emits()) return throughput * emitted(*hit, wo);
+      if (surface.material.emits()) return throughput * emitted(surface);
       if (bounce == max_bounces_) return Vec3(0);
 
       // Go on in a random direction.
-      const Vec3 normal = normal_towards(*hit, wo);
       const Vec2 u = random.uniform_2d();
-      const BsdfSample next = sample(material, normal, sampling_, u);
+      const BsdfSample next = sample(surface, sampling_, u);
       throughput *= next.weight;
       ray = spawn_ray(*hit, next.wi);
     }

@@ -27,13 +27,20 @@ using stage1::sample;
 // is what a surface square to that direction would receive from this light,
 // in W/m^2, had it only this one sample to go by: the light's radiance over
 // the density of the choice, per solid angle.
+//
+// A light is seen if it is the first thing that the shadow ray meets. The
+// point is only known to rounding, so the ray is followed a little farther
+// than the light is away. What it meets there may be the light itself.
 
 // #region light-sample
 struct LightSample {
   Vec3 direction;  ///< unit, from the surface to the light
   Vec3 weight;     ///< W/m^2 on a surface that faces the light
-  Vec3 end;        ///< where the shadow ray ends, just before the light
+  float distance;  ///< how far nothing but the light may be met
 };
+
+/// More than rounding may change a distance by.
+inline constexpr float distance_rounding = 0x1p-18f;
 // #endregion light-sample
 
 // ## A point light
@@ -42,13 +49,19 @@ struct LightSample {
 // steradian, gives $I/d^2$ at distance $d$: the same steradian covers four
 // times the area at twice the distance. The slides call $I$ the light's power
 // $p$ and use it in just this way, so there is no $4\pi$ in it.
+//
+// A point cannot be met. If it hangs in a ceiling, the ceiling must not be in
+// its way, so here the shadow ray ends a little before the light.
 
 // #region point-light
-inline LightSample sample_light(const PointLight& light, const Vec3& x) {
+inline LightSample sample_light(const PointLight& light, const Vec3& x,
+                                const Vec2&) {
   const Vec3 to_light = light.center - x;
   const float squared_distance = dot(to_light, to_light);
-  return {to_light / std::sqrt(squared_distance),
-          light.intensity / squared_distance, light.center};
+  const float distance = std::sqrt(squared_distance);
+  const float size = distance + max_abs_component(light.center);
+  return {to_light / distance, light.intensity / squared_distance,
+          distance - distance_rounding / 2 * size};
 }
 // #endregion point-light
 
@@ -64,10 +77,6 @@ inline LightSample sample_light(const PointLight& light, const Vec3& x) {
 //
 // Forget $A$ and the scene's brightness depends on the units it was drawn in.
 // Behind the rectangle $\cos\theta'$ is negative, and no light comes.
-//
-// The shadow ray must stop short of the lamp, or the lamp would shade itself.
-// Its end is moved off the lamp's surface just as its start is moved off the
-// floor's.
 
 // #region rectangle-light
 inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
@@ -78,12 +87,11 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
   const Vec3 normal = area_vector / area;
   const Vec3 to_light = point - x;
   const float squared_distance = dot(to_light, to_light);
-  const Vec3 direction = to_light / std::sqrt(squared_distance);
+  const float distance = std::sqrt(squared_distance);
+  const Vec3 direction = to_light / distance;
   const float cos_light = std::max(0.0f, -dot(normal, direction));
-  const float magnitude =
-      max_abs_component(point) + max_abs_component(light.corner);
   return {direction, light.radiance * (area * cos_light / squared_distance),
-          off_surface(point, normal, magnitude, -direction)};
+          distance * (1 + distance_rounding)};
 }
 // #endregion rectangle-light
 
@@ -115,7 +123,7 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
   const Vec3 to_center = light.center - x;
   const float squared_distance = dot(to_center, to_center);
   const float squared_radius = light.radius * light.radius;
-  if (squared_distance <= squared_radius) return {{0, 0, 1}, Vec3(0), x};
+  if (squared_distance <= squared_radius) return {{0, 0, 1}, Vec3(0), 0};
   const float distance = std::sqrt(squared_distance);
   const float sin2_max = squared_radius / squared_distance;
   const float one_minus_cos_max = sin2_max / (1 + std::sqrt(1 - sin2_max));
@@ -131,12 +139,8 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 
   const float half_chord = std::sqrt(
       std::max(0.0f, squared_radius - squared_distance * sin2_theta));
-  const Vec3 point = x + (distance * cos_theta - half_chord) * direction;
-  const Vec3 normal = normalize(point - light.center);
-  const float magnitude = max_abs_component(light.center) + light.radius;
   return {direction, light.radiance * (two_pi * one_minus_cos_max),
-          off_surface(light.center + light.radius * normal, normal, magnitude,
-                      -direction)};
+          (distance * cos_theta - half_chord) * (1 + distance_rounding)};
 }
 // #endregion sphere-light
 
@@ -147,38 +151,28 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 // horizon is not asked: with $|\cos\theta|$ instead, light would glow
 // through thin walls. As on the slides, the lights are simply added up.
 
-// #region shadow-ray
-/// Radiance towards the viewer that one light causes at `hit` by itself.
-/// `normal` is the one on the viewer's side.
-inline Vec3 light_from(const LightSample& light, const Scene& scene,
-                       const Hit& hit, const Vec3& normal,
-                       const Material& material) {
-  const float cos_theta = dot(normal, light.direction);
-  if (cos_theta <= 0 || is_black(light.weight)) return Vec3(0);
-  const Vec3 start = leave(hit, light.direction);
-  if (!scene.visible(start, light.end)) return Vec3(0);
-  return evaluate(material) * cos_theta * light.weight;
-}
-// #endregion shadow-ray
-
 // #region direct-light
-/// Radiance towards the viewer that all sampled lights cause at `hit`.
-inline Vec3 direct_light(const Scene& scene, const Hit& hit,
-                         const Vec3& normal, const Material& material,
+/// A point on any light, as seen from `x`. `u` is uniform in [0, 1)^2.
+inline LightSample sample_light(const Light& light, const Vec3& x,
+                                const Vec2& u) {
+  return std::visit(
+      [&](const auto& form) { return sample_light(form, x, u); }, light.form);
+}
+
+/// Radiance towards `wo` that the lights cause here by themselves.
+inline Vec3 direct_light(const Scene& scene, const Surface& surface,
                          Random& random) {
-  const Vec3& x = hit.position;
+  const Vec3 x = leave(surface.hit, surface.normal);
   Vec3 sum(0);
-  for (const PointLight& light : scene.point_lights) {
-    const LightSample to_light = sample_light(light, x);
-    sum += light_from(to_light, scene, hit, normal, material);
-  }
-  for (const RectangleLight& light : scene.rectangle_lights) {
+  for (const Light& light : scene.lights) {
     const LightSample to_light = sample_light(light, x, random.uniform_2d());
-    sum += light_from(to_light, scene, hit, normal, material);
-  }
-  for (const SphereLight& light : scene.sphere_lights) {
-    const LightSample to_light = sample_light(light, x, random.uniform_2d());
-    sum += light_from(to_light, scene, hit, normal, material);
+    const float cos_theta = dot(surface.normal, to_light.direction);
+    if (cos_theta <= 0 || is_black(to_light.weight)) continue;
+
+    // Is anything in the way?
+    const Ray shadow_ray = spawn_ray(surface.hit, to_light.direction);
+    if (!scene.reaches(shadow_ray, to_light.distance, light)) continue;
+    sum += evaluate(surface.material) * cos_theta * to_light.weight;
   }
   return sum;
 }
@@ -187,7 +181,8 @@ inline Vec3 direct_light(const Scene& scene, const Hit& hit,
 // ## Counted once
 //
 // The path still runs into lamps. Has their light been counted already? It
-// has if the surface before asked this lamp directly. It has not
+// has if direct light was added at the surface before, and this lamp is one
+// of the scene's lights. It has not
 //
 // - if there was no surface before: the camera looks straight at the lamp;
 // - if the lamp is one that cannot be asked: a plane has no end, so no point
@@ -198,10 +193,10 @@ inline Vec3 direct_light(const Scene& scene, const Hit& hit,
 // picture.
 
 // #region counted-once
-/// Whether `direct_light` asks this emitter.
-inline bool is_sampled(const Hit& emitter) {
-  return emitter.shape_type == ShapeType::rectangle ||
-         emitter.shape_type == ShapeType::sphere;
+/// Whether `direct_light`, added at the surface before, has this emission in
+/// it already.
+inline bool is_counted(const Surface& surface, bool direct_light_added) {
+  return direct_light_added && surface.hit.light != nullptr;
 }
 // #endregion counted-once
 
@@ -224,32 +219,30 @@ class PathTracer {
   Vec3 radiance(Ray ray, Random& random) const {
     Vec3 sum(0);
     Vec3 throughput(1);
-    bool lights_were_asked = false;
+    bool direct_light_added = false;
     for (int bounce = 0;; ++bounce) {
       // Find the next surface.
       const std::optional<Hit> hit = scene_.nearest_hit(ray);
       if (!hit) return sum;
-      const Material& material = *hit->material;
-      const Vec3 wo = -ray.direction;
-      log_vertex(Surface(*hit, material, wo), throughput, sum, bounce);
+      const Surface surface(*hit, *hit->material, -ray.direction);
+      log_vertex(surface, throughput, sum, bounce);
 
       // An emitter ends the path, and counts if it has not been counted.
-      if (material.emits()) {
-        const bool counted = lights_were_asked && is_sampled(*hit);
-        if (!counted) sum += throughput * emitted(*hit, wo);
+      if (surface.material.emits()) {
+        if (!is_counted(surface, direct_light_added)) {
+          sum += throughput * emitted(surface);
+        }
         return sum;
       }
       if (bounce == max_bounces_) return sum;
 
       // Ask the lights.
-      const Vec3 normal = normal_towards(*hit, wo);
-      sum +=
-          throughput * direct_light(scene_, *hit, normal, material, random);
-      lights_were_asked = true;
+      sum += throughput * direct_light(scene_, surface, random);
+      direct_light_added = true;
 
       // Go on in a random direction.
       const Vec2 u = random.uniform_2d();
-      const BsdfSample next = sample(material, normal, sampling_, u);
+      const BsdfSample next = sample(surface, sampling_, u);
       throughput *= next.weight;
       ray = spawn_ray(*hit, next.wi);
     }

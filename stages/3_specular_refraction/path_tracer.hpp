@@ -16,7 +16,7 @@ namespace lightwalk::stage3 {
 using stage1::BsdfSample;
 using stage1::emitted;
 using stage2::direct_light;
-using stage2::is_sampled;
+using stage2::is_counted;
 
 // ## A BRDF that is a spike
 //
@@ -99,9 +99,9 @@ inline std::optional<Vec3> refract(const Vec3& wo, const Vec3& normal,
 
 /// eta_o / eta_i for light that leaves towards `wo`. The shape's own normal
 /// points outside, where the index is 1; inside it is the material's.
-inline float relative_eta(const Hit& hit, const Vec3& wo) {
-  const bool outside = dot(hit.normal, wo) > 0;
-  return outside ? 1 / hit.material->eta : hit.material->eta;
+inline float relative_eta(const Surface& surface) {
+  const bool outside = dot(surface.hit.normal, surface.wo) > 0;
+  return outside ? 1 / surface.material.eta : surface.material.eta;
 }
 // #endregion refract
 
@@ -154,15 +154,14 @@ inline const Vec3& coefficient(const Material& material, Lobe lobe) {
 }
 
 /// A direction of one lobe, and f_r cos(theta) / p of that lobe for it.
-/// `normal` is on the side of `wo`; `eta_ratio` is eta_o / eta_i.
-inline BsdfSample sample(Lobe lobe, const Material& material,
-                         const Vec3& normal, const Vec3& wo, float eta_ratio,
-                         Sampling sampling, Random& random) {
+inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
+                         Random& random) {
+  const auto& [hit, material, wo, normal] = surface;
   if (lobe == Lobe::diffuse) {
-    const Vec2 u = random.uniform_2d();
-    return stage1::sample(material, normal, sampling, u);
+    return stage1::sample(surface, sampling, random.uniform_2d());
   }
   if (lobe == Lobe::specular) return {reflect(wo, normal), material.ks};
+  const float eta_ratio = relative_eta(surface);
   const std::optional<Vec3> wi = refract(wo, normal, eta_ratio);
   if (!wi) return {reflect(wo, normal), material.kt};
   return {*wi, eta_ratio * eta_ratio * material.kt};
@@ -189,8 +188,8 @@ inline BsdfSample sample(Lobe lobe, const Material& material,
 // A matt wall has $k_d > 0$, a mirror $k_s > 0$, and plastic $k_d, k_s > 0$:
 // it is both (slide "Combining coefficients"). Follow only one lobe, and the
 // other's light is missing. So follow both: one ray for each lobe that has a
-// coefficient. The path becomes a tree, and the loop keeps the branches that
-// are still to be followed on a stack.
+// coefficient. The path becomes a tree. Each of its branches is followed like
+// the whole, so what was a loop becomes a function that calls itself.
 //
 // The price: with two lobes at every hit, each bounce doubles the rays. In
 // `scenes/plastic.toml`, where every surface is plastic, a sample costs
@@ -203,35 +202,23 @@ inline BsdfSample sample(Lobe lobe, const Material& material,
 // which makes the picture too dark; and it cannot be set high. Both will have
 // to be mended.
 
-// #region branches
-/// A branch of a path that is still to be followed.
+// #region branch
+/// One branch of the tree, where it begins.
 struct Branch {
   Ray ray;
-  Vec3 throughput;
-  int bounce;              ///< how many bounces lie behind it
-  bool lights_were_asked;  ///< at the surface that it comes from
+  Vec3 throughput{1};
+  int bounce = 0;                   ///< how many bounces lie behind it
+  bool direct_light_added = false;  ///< at the surface that it comes from
 };
 
 /// More bounces than this would never end anyhow: 2^64 rays.
 inline constexpr int most_bounces = 64;
-
-/// The branches of one path. Each hit takes one off and puts up to three on,
-/// so there are never more than two for each bounce, and the first.
-class Branches {
- public:
-  bool empty() const { return size_ == 0; }
-  void push(const Branch& branch) { stack_[size_++] = branch; }
-  Branch pop() { return stack_[--size_]; }
-
- private:
-  std::array<Branch, 2 * most_bounces + 1> stack_;
-  std::size_t size_ = 0;
-};
-// #endregion branches
+// #endregion branch
 
 // ## The path
 //
-// Stage 2's loop, with branches. A bounce at a mirror counts as a bounce.
+// One turn of stage 2's loop is one call here. A bounce at a mirror counts as
+// a bounce.
 
 // #region path
 class PathTracer {
@@ -242,50 +229,45 @@ class PathTracer {
         sampling_(settings.sampling) {}
 
   /// Radiance that comes back along the ray, as one tree of paths sees it.
-  Vec3 radiance(Ray ray, Random& random) const {
+  Vec3 radiance(const Ray& ray, Random& random) const {
     Vec3 sum(0);
-    Branches branches;
-    branches.push({ray, Vec3(1), 0, false});
-    while (!branches.empty()) {
-      const Branch path = branches.pop();
-      // Find the next surface.
-      const std::optional<Hit> hit = scene_.nearest_hit(path.ray);
-      if (!hit) continue;
-      const Material& material = *hit->material;
-      const Vec3 wo = -path.ray.direction;
-      log_vertex(Surface(*hit, material, wo), path.throughput, sum,
-                 path.bounce);
-
-      // An emitter ends the path, and counts if it has not been counted.
-      if (material.emits()) {
-        const bool counted = path.lights_were_asked && is_sampled(*hit);
-        if (!counted) sum += path.throughput * emitted(*hit, wo);
-        continue;
-      }
-      if (path.bounce == max_bounces_) continue;
-
-      // Ask the lights, for the diffuse lobe.
-      const Vec3 normal = normal_towards(*hit, wo);
-      if (!is_black(material.kd)) {
-        sum += path.throughput *
-               direct_light(scene_, *hit, normal, material, random);
-      }
-
-      // Go on in a direction of every lobe.
-      for (const Lobe lobe : all_lobes) {
-        if (is_black(coefficient(material, lobe))) continue;
-        const BsdfSample next =
-            sample(lobe, material, normal, wo, relative_eta(*hit, wo),
-                   sampling_, random);
-        branches.push({spawn_ray(*hit, next.wi),
-                       path.throughput * next.weight, path.bounce + 1,
-                       lobe == Lobe::diffuse});
-      }
-    }
+    follow({ray}, sum, random);
     return sum;
   }
 
  private:
+  /// Adds to the sum what comes back along a branch.
+  void follow(const Branch& path, Vec3& sum, Random& random) const {
+    // Find the next surface.
+    const std::optional<Hit> hit = scene_.nearest_hit(path.ray);
+    if (!hit) return;
+    const Surface surface(*hit, *hit->material, -path.ray.direction);
+    log_vertex(surface, path.throughput, sum, path.bounce);
+
+    // An emitter ends the path, and counts if it has not been counted.
+    if (surface.material.emits()) {
+      if (!is_counted(surface, path.direct_light_added)) {
+        sum += path.throughput * emitted(surface);
+      }
+      return;
+    }
+    if (path.bounce == max_bounces_) return;
+
+    // Ask the lights, for the diffuse lobe.
+    if (!is_black(surface.material.kd)) {
+      sum += path.throughput * direct_light(scene_, surface, random);
+    }
+
+    // Go on in a direction of every lobe.
+    for (const Lobe lobe : all_lobes) {
+      if (is_black(coefficient(surface.material, lobe))) continue;
+      const BsdfSample next = sample(lobe, surface, sampling_, random);
+      follow({spawn_ray(*hit, next.wi), path.throughput * next.weight,
+              path.bounce + 1, lobe == Lobe::diffuse},
+             sum, random);
+    }
+  }
+
   const Scene& scene_;
   int max_bounces_;
   Sampling sampling_;

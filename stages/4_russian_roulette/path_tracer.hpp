@@ -14,9 +14,8 @@ namespace lightwalk::stage4 {
 using stage1::BsdfSample;
 using stage1::emitted;
 using stage2::direct_light;
-using stage2::is_sampled;
+using stage2::is_counted;
 using stage3::Lobe;
-using stage3::relative_eta;
 using stage3::sample;
 
 // ## Divide by the probability
@@ -76,22 +75,20 @@ using stage3::sample;
 // those with 16; the longest of 65,000 in that scene had 276, and nobody will
 // ever see one of `bounce_cap` = 4096, where all end.
 
-// #region event-probabilities
-enum class Event { diffuse, specular, refraction, absorption };
-
+// #region lobe-probabilities
 /// From this bounce on every path may end.
 inline constexpr int first_limited_bounce = 16;
 inline constexpr float survival_limit = 0.95f;
 
 /// Probabilities of the three events that go on; the rest is absorption.
-struct EventProbabilities {
+struct LobeProbabilities {
   float diffuse, specular, refraction;
 };
 
 /// The largest channel of each coefficient, scaled down where they add to
 /// more than a path's survival may be after `bounce` bounces.
-inline EventProbabilities event_probabilities(const Material& material,
-                                              int bounce) {
+inline LobeProbabilities lobe_probabilities(const Material& material,
+                                            int bounce) {
   const float diffuse = max_component(material.kd);
   const float specular = max_component(material.ks);
   const float refraction = max_component(material.kt);
@@ -100,42 +97,33 @@ inline EventProbabilities event_probabilities(const Material& material,
   const float scale = sum > limit ? limit / sum : 1;
   return {scale * diffuse, scale * specular, scale * refraction};
 }
-// #endregion event-probabilities
+// #endregion lobe-probabilities
 
 // The number that picks the event picks nothing else. Use its rest to draw
 // the direction as well and diffuse bounces only ever see one end of the
 // hemisphere.
 
-// #region choose-event
-/// An event, and the probability with which it was chosen.
-struct EventChoice {
-  Event event;
+// #region choose-lobe
+/// A lobe to follow, and the probability with which it was chosen.
+struct LobeChoice {
+  Lobe lobe;
   float probability;
 };
 
-/// Picks an event by `xi`, uniform in [0, 1). One with probability 0 is never
-/// picked.
-inline EventChoice choose_event(const EventProbabilities& p, float xi) {
-  if (xi < p.diffuse) return {Event::diffuse, p.diffuse};
-  if (xi < p.diffuse + p.specular) return {Event::specular, p.specular};
+/// Picks a lobe by `xi`, uniform in [0, 1), or none: the light is absorbed. A
+/// lobe with probability 0 is never picked.
+inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
+                                             float xi) {
+  if (xi < p.diffuse) return LobeChoice{Lobe::diffuse, p.diffuse};
+  if (xi < p.diffuse + p.specular) {
+    return LobeChoice{Lobe::specular, p.specular};
+  }
   if (xi < p.diffuse + p.specular + p.refraction) {
-    return {Event::refraction, p.refraction};
+    return LobeChoice{Lobe::refraction, p.refraction};
   }
-  return {Event::absorption, 1 - (p.diffuse + p.specular + p.refraction)};
+  return std::nullopt;
 }
-
-/// The lobe that an event other than absorption follows.
-inline Lobe lobe_of(Event event) {
-  switch (event) {
-    case Event::diffuse:
-      return Lobe::diffuse;
-    case Event::specular:
-      return Lobe::specular;
-    default:
-      return Lobe::refraction;
-  }
-}
-// #endregion choose-event
+// #endregion choose-lobe
 
 // ## What it buys
 //
@@ -160,8 +148,8 @@ inline Lobe lobe_of(Event event) {
 //
 // ## The path
 //
-// The stack of branches is gone, and the loop is stage 2's again, one ray
-// after the other. The lights are asked before the event is drawn: they are
+// The tree is gone, and the loop is stage 2's again, one ray after the
+// other. The lights are asked before the event is drawn: they are
 // asked for the diffuse lobe's sake, with its coefficient, whatever happens
 // next. Only what goes on is divided by the probability of going on.
 
@@ -177,43 +165,39 @@ class PathTracer {
   Vec3 radiance(Ray ray, Random& random) const {
     Vec3 sum(0);
     Vec3 throughput(1);
-    bool lights_were_asked = false;
+    bool direct_light_added = false;
     for (int bounce = 0;; ++bounce) {
       // Find the next surface.
       const std::optional<Hit> hit = scene_.nearest_hit(ray);
       if (!hit) return sum;
-      const Material& material = *hit->material;
-      const Vec3 wo = -ray.direction;
-      log_vertex(Surface(*hit, material, wo), throughput, sum, bounce);
+      const Surface surface(*hit, *hit->material, -ray.direction);
+      log_vertex(surface, throughput, sum, bounce);
 
       // An emitter ends the path, and counts if it has not been counted.
-      if (material.emits()) {
-        const bool counted = lights_were_asked && is_sampled(*hit);
-        if (!counted) sum += throughput * emitted(*hit, wo);
+      if (surface.material.emits()) {
+        if (!is_counted(surface, direct_light_added)) {
+          sum += throughput * emitted(surface);
+        }
         return sum;
       }
       if (bounce == max_bounces_) return sum;
 
       // Ask the lights, for the diffuse lobe.
-      const Vec3 normal = normal_towards(*hit, wo);
-      if (!is_black(material.kd)) {
-        sum +=
-            throughput * direct_light(scene_, *hit, normal, material, random);
+      if (!is_black(surface.material.kd)) {
+        sum += throughput * direct_light(scene_, surface, random);
       }
 
       // Draw an event.
-      const auto [event, probability] = choose_event(
-          event_probabilities(material, bounce), random.uniform());
-      if (event == Event::absorption) return sum;
+      const std::optional<LobeChoice> choice = choose_lobe(
+          lobe_probabilities(surface.material, bounce), random.uniform());
+      if (!choice) return sum;
 
       // Go on in a direction of the event's lobe.
-      const Lobe lobe = lobe_of(event);
       const BsdfSample next =
-          sample(lobe, material, normal, wo, relative_eta(*hit, wo),
-                 sampling_, random);
-      throughput *= next.weight / probability;
+          sample(choice->lobe, surface, sampling_, random);
+      throughput *= next.weight / choice->probability;
       ray = spawn_ray(*hit, next.wi);
-      lights_were_asked = lobe == Lobe::diffuse;
+      direct_light_added = choice->lobe == Lobe::diffuse;
     }
   }
 

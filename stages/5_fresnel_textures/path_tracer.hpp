@@ -17,14 +17,13 @@ namespace lightwalk::stage5 {
 using stage1::BsdfSample;
 using stage1::emitted;
 using stage2::direct_light;
-using stage2::is_sampled;
+using stage2::is_counted;
 using stage3::Lobe;
 using stage3::relative_eta;
 using stage3::sample;
-using stage4::choose_event;
-using stage4::Event;
-using stage4::event_probabilities;
-using stage4::lobe_of;
+using stage4::choose_lobe;
+using stage4::lobe_probabilities;
+using stage4::LobeChoice;
 
 // ## How much glass reflects
 //
@@ -186,8 +185,9 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
       return is_odd({uv.x, uv.y, 0}) ? pattern.second : pattern.first;
     }
     case VaryingType::position_checker: {
-      const Vec3 below =
-          off_surface(hit.position, hit.normal, hit.magnitude, -hit.normal);
+      const Vec3 below = hit.position - 0x1p-16f *
+                                            max_abs_component(hit.position) *
+                                            hit.normal;
       return is_odd(pattern.scale * below) ? pattern.second : pattern.first;
     }
     default:
@@ -215,8 +215,9 @@ inline Material material_at(const Scene& scene, const Hit& hit,
   if (m.varying_ks) m.ks = coefficient_at(*m.varying_ks, scene, hit, wo);
   if (m.varying_kt) m.kt = coefficient_at(*m.varying_kt, scene, hit, wo);
   if (m.fresnel) {
-    const float cos_o = std::abs(dot(hit.normal, wo));
-    const float f = fresnel_reflectance(cos_o, relative_eta(hit, wo));
+    const Surface surface(hit, m, wo);
+    const float f =
+        fresnel_reflectance(dot(surface.normal, wo), relative_eta(surface));
     m.ks *= f;
     m.kt *= 1 - f;
   }
@@ -240,43 +241,40 @@ class PathTracer {
   Vec3 radiance(Ray ray, Random& random) const {
     Vec3 sum(0);
     Vec3 throughput(1);
-    bool lights_were_asked = false;
+    bool direct_light_added = false;
     for (int bounce = 0;; ++bounce) {
       // Find the next surface.
       const std::optional<Hit> hit = scene_.nearest_hit(ray);
       if (!hit) return sum;
-      const Vec3 wo = -ray.direction;
-      const Material material = material_at(scene_, *hit, wo);
-      log_vertex(Surface(*hit, material, wo), throughput, sum, bounce);
+      const Material material = material_at(scene_, *hit, -ray.direction);
+      const Surface surface(*hit, material, -ray.direction);
+      log_vertex(surface, throughput, sum, bounce);
 
       // An emitter ends the path, and counts if it has not been counted.
-      if (material.emits()) {
-        const bool counted = lights_were_asked && is_sampled(*hit);
-        if (!counted) sum += throughput * emitted(*hit, wo);
+      if (surface.material.emits()) {
+        if (!is_counted(surface, direct_light_added)) {
+          sum += throughput * emitted(surface);
+        }
         return sum;
       }
       if (bounce == max_bounces_) return sum;
 
       // Ask the lights, for the diffuse lobe.
-      const Vec3 normal = normal_towards(*hit, wo);
-      if (!is_black(material.kd)) {
-        sum +=
-            throughput * direct_light(scene_, *hit, normal, material, random);
+      if (!is_black(surface.material.kd)) {
+        sum += throughput * direct_light(scene_, surface, random);
       }
 
       // Draw an event.
-      const auto [event, probability] = choose_event(
-          event_probabilities(material, bounce), random.uniform());
-      if (event == Event::absorption) return sum;
+      const std::optional<LobeChoice> choice = choose_lobe(
+          lobe_probabilities(surface.material, bounce), random.uniform());
+      if (!choice) return sum;
 
       // Go on in a direction of the event's lobe.
-      const Lobe lobe = lobe_of(event);
       const BsdfSample next =
-          sample(lobe, material, normal, wo, relative_eta(*hit, wo),
-                 sampling_, random);
-      throughput *= next.weight / probability;
+          sample(choice->lobe, surface, sampling_, random);
+      throughput *= next.weight / choice->probability;
       ray = spawn_ray(*hit, next.wi);
-      lights_were_asked = lobe == Lobe::diffuse;
+      direct_light_added = choice->lobe == Lobe::diffuse;
     }
   }
 

@@ -16,6 +16,9 @@ def configured(name):
     return found[1] if found else ""
 
 
+@unittest.skipUnless(
+    list(ROOT.glob("stages/4_*/path_tracer.hpp")), "it paints with stage 4"
+)
 class Example(InFolder):
     def test_is_built_and_run_in_an_empty_folder(self):
         shutil.copy(ROOT / "examples/paint.cpp", self.folder)
@@ -23,14 +26,14 @@ class Example(InFolder):
         command = [compiler, "-std=c++20", "-O1", "-ffp-contract=off"]
         command += ["-pthread", "-I", ROOT, "paint.cpp", "-o", "paint"]
         if prefix := re.match(r"(.*)/(share|lib\w*)/", configured("glm_DIR")):
-            if os.path.isdir(f"{prefix[1]}/include/glm"):
-                command += ["-idirafter", f"{prefix[1]}/include"]
+            if prefix[1] != "/usr":  # which compilers know, and where
+                command += ["-isystem", f"{prefix[1]}/include"]
         built = subprocess.run(
             [*command, "-MD", "-MF", "needs"],
             cwd=self.folder, capture_output=True, text=True,
         )
         self.assertEqual((built.returncode, built.stderr), (0, ""))
-        # Nothing of another library, not even its headers.
+        # Of this tree's files, none that wants another library.
         for library in ["toml++", "CLI", "OpenImageIO", "nlohmann", "boost"]:
             needs = (self.folder / "needs").read_text()
             self.assertNotIn(f"/{library}/", needs)

@@ -43,9 +43,9 @@ void check_same_answers(Twins& twins, float reach, std::uint64_t seed) {
     } else if (a && a->distance != b->distance) {
       ++differences;
     }
-    const bool visible = twins.plain.visible(from, to);
-    blocked += !visible;
-    differences += visible != twins.prepared.visible(from, to);
+    const bool seen = visible(twins.plain, from, to);
+    blocked += !seen;
+    differences += seen != visible(twins.prepared, from, to);
   }
   CHECK(differences == 0);
   // Both answers occurred.

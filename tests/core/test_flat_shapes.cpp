@@ -170,7 +170,7 @@ TEST_CASE("a slanted flat shape puts its hits on itself") {
     INFO("corner " << text(shape.corner) << ", u " << text(shape.edge_u)
                    << ", v " << text(shape.edge_v));
     CHECK(std::abs(dot(shape.normal, hit->position - shape.corner)) <=
-          0x1p-21f * hit->magnitude);
+          4 * hit->rounding);
   }
   CHECK(hits > 1990);
 }

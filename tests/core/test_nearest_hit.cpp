@@ -75,7 +75,7 @@ Meeting meet(const Sphere& sphere, const Double3& o, const Double3& w) {
 }
 
 /// Cramer's rule for o + t w = c + s u + q v.
-Meeting meet(const Flat& flat, bool triangle, const Double3& o,
+Meeting meet(const FlatShape& flat, bool triangle, const Double3& o,
              const Double3& w) {
   Meeting result;
   const Double3 u = exact(flat.edge_u), v = exact(flat.edge_v);
@@ -234,11 +234,11 @@ TEST_CASE("lanes without a shape are hit by no ray") {
     const Vec3 target = i % 4 < 2 ? direction : origin + direction;
     INFO("from " << text(origin) << " to " << text(target));
     CHECK_FALSE(geometry.nearest_hit({origin, direction}));
-    CHECK(geometry.visible(origin, target));
+    CHECK(visible(geometry, origin, target));
     if (i % 2) {
       const Vec3 up{0, 1, 0};
       CHECK_FALSE(geometry.nearest_hit({{origin.x, 0, origin.z}, up}));
-      CHECK(geometry.visible(origin, Vec3(0)));  // through the zeros
+      CHECK(visible(geometry, origin, Vec3(0)));  // through the zeros
     }
   }
 }

@@ -24,30 +24,30 @@ std::vector<Geometry> blockers() {
 }  // namespace
 
 TEST_CASE("in an empty scene everything sees everything") {
-  CHECK(Geometry().visible({0, 0, 0}, {1, 2, 3}));
+  CHECK(visible(Geometry(), {0, 0, 0}, {1, 2, 3}));
 }
 
 TEST_CASE("what lies between two points hides them from each other") {
   for (const Geometry& geometry : blockers()) {
-    CHECK_FALSE(geometry.visible({0, 0, -2}, {0, 0, 2}));
-    CHECK_FALSE(geometry.visible({0, 0, 2}, {0, 0, -2}));
-    CHECK_FALSE(geometry.visible({0.2f, 0.1f, 3}, {-0.1f, 0.1f, -1}));
+    CHECK_FALSE(visible(geometry, {0, 0, -2}, {0, 0, 2}));
+    CHECK_FALSE(visible(geometry, {0, 0, 2}, {0, 0, -2}));
+    CHECK_FALSE(visible(geometry, {0.2f, 0.1f, 3}, {-0.1f, 0.1f, -1}));
   }
 }
 
 // Without the bound, the wall behind a lamp would put the room in the dark.
 TEST_CASE("what lies beyond the end does not hide it") {
   for (const Geometry& geometry : blockers()) {
-    CHECK(geometry.visible({0, 0, -5}, {0, 0, -1}));
-    CHECK(geometry.visible({0, 0, 5}, {0, 0, 1}));
-    CHECK(geometry.visible({0, 0, -5}, {0, 0, -0.51f}));
+    CHECK(visible(geometry, {0, 0, -5}, {0, 0, -1}));
+    CHECK(visible(geometry, {0, 0, 5}, {0, 0, 1}));
+    CHECK(visible(geometry, {0, 0, -5}, {0, 0, -0.51f}));
   }
 }
 
 TEST_CASE("what lies before the start does not hide the end") {
   for (const Geometry& geometry : blockers()) {
-    CHECK(geometry.visible({0, 0, 1}, {0, 0, 5}));
-    CHECK(geometry.visible({0, 0, -1}, {0, 0, -5}));
+    CHECK(visible(geometry, {0, 0, 1}, {0, 0, 5}));
+    CHECK(visible(geometry, {0, 0, -1}, {0, 0, -5}));
   }
 }
 
@@ -55,19 +55,19 @@ TEST_CASE("what lies beside the way does not hide the end") {
   const auto geometries = blockers();
   for (std::size_t i = 1; i < geometries.size(); ++i) {  // not the plane
     CAPTURE(i);
-    CHECK(geometries[i].visible({-3, 0, -2}, {-3, 0, 2}));
-    CHECK(geometries[i].visible({0, -1.1f, -2}, {0, -1.1f, 2}));
+    CHECK(visible(geometries[i], {-3, 0, -2}, {-3, 0, 2}));
+    CHECK(visible(geometries[i], {0, -1.1f, -2}, {0, -1.1f, 2}));
   }
-  CHECK(geometries[2].visible({1.1f, 1.1f, -2}, {1.1f, 1.1f, 2}));
-  CHECK(geometries[3].visible({2, 2, -2}, {2, 2, 2}));
+  CHECK(visible(geometries[2], {1.1f, 1.1f, -2}, {1.1f, 1.1f, 2}));
+  CHECK(visible(geometries[3], {2, 2, -2}, {2, 2, 2}));
 }
 
 TEST_CASE("a sphere hides what is inside it from outside, not from inside") {
   Geometry geometry;
   geometry.add(Sphere{{0, 0, 0}, 1, &material});
-  CHECK_FALSE(geometry.visible({0, 0, 0}, {0, 0, 2}));
-  CHECK_FALSE(geometry.visible({0, 0, 2}, {0, 0, 0}));
-  CHECK(geometry.visible({0, 0, -0.9f}, {0, 0.9f, 0}));
+  CHECK_FALSE(visible(geometry, {0, 0, 0}, {0, 0, 2}));
+  CHECK_FALSE(visible(geometry, {0, 0, 2}, {0, 0, 0}));
+  CHECK(visible(geometry, {0, 0, -0.9f}, {0, 0.9f, 0}));
 }
 
 TEST_CASE("the last blocker of many counts as much as the first") {
@@ -78,9 +78,9 @@ TEST_CASE("the last blocker of many counts as much as the first") {
       geometry.add(Sphere{{0, height, 0}, 1, &material});
     }
     CAPTURE(count);
-    CHECK(geometry.visible({0, 0, -2}, {0, 0, 2}));
+    CHECK(visible(geometry, {0, 0, -2}, {0, 0, 2}));
     geometry.add(Sphere{{0, 0, 0}, 1, &material});
-    CHECK_FALSE(geometry.visible({0, 0, -2}, {0, 0, 2}));
+    CHECK_FALSE(visible(geometry, {0, 0, -2}, {0, 0, 2}));
   }
 }
 
@@ -104,13 +104,13 @@ TEST_CASE("visible agrees with the nearest hit, in both directions") {
     const Vec3 from = random_position(random, 3);
     const Vec3 to = random_position(random, 3);
     const float distance = length(to - from);
-    const bool visible = geometry.visible(from, to);
-    hidden += !visible;
-    one_way += visible != geometry.visible(to, from);
+    const bool seen = visible(geometry, from, to);
+    hidden += !seen;
+    one_way += seen != visible(geometry, to, from);
     const auto hit = geometry.nearest_hit({from, (to - from) / distance});
     if (hit && std::abs(hit->distance - distance) < 1e-5f) continue;
     INFO("from " << text(from) << " to " << text(to));
-    CHECK(visible == !(hit && hit->distance < distance));
+    CHECK(seen == !(hit && hit->distance < distance));
   }
   CHECK(hidden > 1000);
   CHECK(hidden < 4500);

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <string>
 
+#include "common/geometry/geometry.hpp"
 #include "common/math/random.hpp"
 #include "common/math/vector.hpp"
 
@@ -39,6 +40,13 @@ inline Vec3 random_direction(Random& random) {
   const float radius = std::sqrt(std::max(0.0f, 1 - z * z));
   return normalize(Vec3(radius * std::cos(two_pi * u.y),
                         radius * std::sin(two_pi * u.y), z));
+}
+
+/// Whether nothing lies between two points, neither of them on a surface.
+inline bool visible(const Geometry& geometry, const Vec3& from,
+                    const Vec3& to) {
+  const Vec3 way = to - from;
+  return !geometry.occluded({from, normalize(way)}, length(way));
 }
 
 /// Uniform in the cube [-size, size)^3.

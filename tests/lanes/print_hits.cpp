@@ -55,8 +55,10 @@ void print_hits(int count) {
   for (int i = 0; i < 20000; ++i) {
     const Vec3 from = position(random, 3);
     const Vec3 to = position(random, 3);
-    const auto hit = geometry.nearest_hit({from, normalize(to - from)});
-    checksum.add(geometry.visible(from, to) ? 1.0f : 0.0f);
+    const Ray ray{from, normalize(to - from)};
+    const auto hit = geometry.nearest_hit(ray);
+    const bool occluded = geometry.occluded(ray, length(to - from));
+    checksum.add(occluded ? 0.0f : 1.0f);
     if (!hit) continue;
     checksum.add(hit->distance);
     checksum.add(hit->position);

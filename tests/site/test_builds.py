@@ -95,8 +95,9 @@ class Book(Copy):
 
     def test_a_reference_that_leads_nowhere(self):
         self.change("tools/book/pages/further_reading.md",
-                    "([frames](core/frame.md))", "([frames](core/farme.md))")
-        self.assert_refused("book", "further_reading.md", "core/farme.md",
+                    "([frames](core/math/basis.md))",
+                    "([frames](core/math/bases.md))")
+        self.assert_refused("book", "further_reading.md", "core/math/bases.md",
                             arguments=())
 
 
@@ -106,9 +107,9 @@ class Slides(Copy):
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_a_region_that_there_is_not(self):
-        self.change("slides/2_next_event.md", "#shadow-ray", "#shadow-rays")
+        self.change("slides/2_next_event.md", "#direct-light", "#direct-lights")
         self.assert_refused("slides", "slides/2_next_event.md:",
-                            "path_tracer.hpp#shadow-rays: no such region")
+                            "path_tracer.hpp#direct-lights: no such region")
 
     def test_a_step_that_there_is_not(self):
         self.change("slides/5_fresnel_textures.md", "Draw an event",
@@ -117,7 +118,7 @@ class Slides(Copy):
                             "no step begins 'Draw two events'")
 
     def test_code_that_does_not_fit(self):
-        self.change("slides/2_next_event.md", "#shadow-ray", "#sphere-light")
+        self.change("slides/2_next_event.md", "#light-sample", "#sphere-light")
         self.assert_refused("slides", "do not fit a slide")
 
     def test_a_figure_that_nobody_makes(self):

@@ -67,14 +67,16 @@ TEST_CASE("the BRDF is kd / pi") {
 TEST_CASE("the simplified weights are f cos / p") {
   Material material;
   material.kd = {0.9f, 0.5f, 0.1f};
-  const Vec3 normal = normalize(Vec3(1, 2, -3));
+  Hit hit{};
+  hit.normal = normalize(Vec3(1, 2, -3));
+  const Surface surface(hit, material, hit.normal);
   Random random(4, 0, 0);
   for (int i = 0; i < 1000; ++i) {
     const Vec2 u = random.uniform_2d();
     for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
       CAPTURE(sampling == Sampling::uniform);
-      const BsdfSample one = sample(material, normal, sampling, u);
-      const float cos_theta = dot(normal, one.wi);
+      const BsdfSample one = sample(surface, sampling, u);
+      const float cos_theta = dot(surface.normal, one.wi);
       const float pdf = sampling == Sampling::uniform
                             ? uniform_hemisphere_pdf()
                             : cosine_hemisphere_pdf(cos_theta);
@@ -90,6 +92,9 @@ TEST_CASE("the simplified weights are f cos / p") {
 TEST_CASE("the mean weight is the albedo kd") {
   Material material;
   material.kd = {0.9f, 0.5f, 0.1f};
+  Hit hit{};
+  hit.normal = {0, 1, 0};
+  const Surface surface(hit, material, hit.normal);
   Random random(6, 0, 0);
   for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
     CAPTURE(sampling == Sampling::uniform);
@@ -97,7 +102,7 @@ TEST_CASE("the mean weight is the albedo kd") {
     constexpr int samples = 100'000;
     for (int i = 0; i < samples; ++i) {
       const Vec2 u = random.uniform_2d();
-      const Vec3 weight = sample(material, {0, 1, 0}, sampling, u).weight;
+      const Vec3 weight = sample(surface, sampling, u).weight;
       for (int c = 0; c < 3; ++c) sum[c] += static_cast<double>(weight[c]);
     }
     for (int c = 0; c < 3; ++c) {

@@ -39,7 +39,7 @@ std::string point_light(const std::string& center,
 
 /// A ray straight down onto (x, 0, 0), too close for a light to be in the way.
 Ray onto(float x) {
-  return {{x, 0.01f, 0}, {0, -1, 0}};
+  return {{x, 0.005f, 0}, {0, -1, 0}};
 }
 
 Vec3 one_sample(const Scene& scene, const Ray& ray, int max_bounces) {

@@ -91,6 +91,62 @@ TEST_CASE("a plate a hundredth over the floor shades it") {
   CHECK(PathTracer(scene, bounces(4)).radiance(down, random) == Vec3(0));
 }
 
+// The same at the other end of the shadow ray. A black shell about a ball that
+// shines is before all of it.
+TEST_CASE("a plate just before a lamp hides it") {
+  const std::string ball =
+      "[[shapes]]\ntype = \"sphere\"\ncenter = [0, 3, 0]\nradius = ";
+  for (const std::string& lamp :
+       {rectangle("[-1, 2, -1]", "[2, 0, 0]", "[0, 0, 2]") +
+            plane("[0, -1, 0]", "1.999", "black"),
+        ball + "1\nmaterial = \"lamp\"\n" + ball +
+            "1.001\nmaterial = \"black\"\n"}) {
+    CAPTURE(lamp);
+    const Scene scene =
+        scene_text(materials + plane("[0, 1, 0]", "0", "floor") + lamp);
+    const PathTracer tracer(scene, bounces(1));
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      Random random(1, 0, i);
+      REQUIRE(tracer.radiance(down, random) == Vec3(0));
+    }
+  }
+}
+
+// No ray can meet a point, but it meets the ceiling there, a little before or
+// a little behind it as rounding will have it.
+TEST_CASE("a point light in a ceiling is not shaded by it") {
+  const Vec3 normal(0.48f, 0.6f, 0.64f);
+  Scene scene =
+      scene_text(materials + plane("[0.48, 0.6, 0.64]", "1000", "floor") +
+                 plane("[-0.48, -0.6, -0.64]", "-999", "black"));
+  scene.add(PointLight{-999.0f * normal, Vec3(1)});
+  const PathTracer tracer(scene, bounces(1));
+  Random random(1, 0, 0);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 u = random.uniform_2d();
+    const Vec3 aside = (u.x - 0.5f) * Vec3(0.8f, -0.64f, 0) +
+                       (u.y - 0.5f) * Vec3(0, -0.64f, 0.6f);
+    const Vec3 origin = -999.5f * normal + aside;
+    REQUIRE(tracer.radiance({origin, -normal}, random).x > 0);
+  }
+}
+
+// A ball is its own wall. A ray that leaves it inwards meets the far side.
+TEST_CASE("no light from outside gets into a ball") {
+  const Scene scene = scene_text(
+      materials +
+      std::string("[[shapes]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\n"
+                  "radius = 1\nmaterial = \"floor\"\n") +
+      point_light("[0, 3, 0]") +
+      rectangle("[-1, 2, -1]", "[2, 0, 0]", "[0, 0, 2]"));
+  const PathTracer tracer(scene, bounces(3));
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    Random random(1, 0, i);
+    REQUIRE(tracer.radiance({{0, 0.5f, 0}, {0.6f, -0.8f, 0}}, random) ==
+            Vec3(0));
+  }
+}
+
 // From above the wall is lit, from below it is not; its own normal does not
 // come into it. The light is 2 away: kd/pi I / 4.
 TEST_CASE("a thin wall is lit on the side that it is seen from") {

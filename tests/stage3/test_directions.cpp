@@ -103,8 +103,10 @@ TEST_CASE("eta is 1 outside, where the shape's normal points") {
   Material glass;
   glass.eta = 1.5f;
   const Hit hit = hit_on(glass);
-  CHECK(relative_eta(hit, at_angle(20)) == doctest::Approx(1 / 1.5));
-  CHECK(relative_eta(hit, -at_angle(20)) == doctest::Approx(1.5));
+  const Surface outside(hit, glass, at_angle(20));
+  const Surface inside(hit, glass, -at_angle(20));
+  CHECK(relative_eta(outside) == doctest::Approx(1 / 1.5));
+  CHECK(relative_eta(inside) == doctest::Approx(1.5));
 }
 
 TEST_CASE("each lobe's weight is its coefficient, without a cosine") {
@@ -116,24 +118,27 @@ TEST_CASE("each lobe's weight is its coefficient, without a cosine") {
   for (const double degrees : {5.0, 40.0, 80.0}) {
     CAPTURE(degrees);
     const Vec3 wo = at_angle(degrees);
-    const auto weight = [&](Lobe lobe, float eta_ratio) {
-      return sample(lobe, material, up, wo, eta_ratio, Sampling::cosine,
-                    random);
-    };
-    CHECK(weight(Lobe::diffuse, 1).weight == material.kd);
-    CHECK(weight(Lobe::specular, 1).weight == material.ks);
-    CHECK(weight(Lobe::specular, 1).wi == reflect(wo, up));
-    // Radiance grows by (eta_o / eta_i)^2 towards the side of wo.
-    const BsdfSample entering = weight(Lobe::refraction, 1 / 1.5f);
-    CHECK(entering.weight.z == doctest::Approx(0.5 / 2.25));
-    CHECK(entering.wi.z < 0);
-    const BsdfSample leaving = weight(Lobe::refraction, 1.5f);
-    if (degrees < 41) {
-      CHECK(leaving.weight.z == doctest::Approx(0.5 * 2.25));
-      CHECK(leaving.wi.z < 0);
-    } else {
-      CHECK(leaving.weight == material.kt);  // totally reflected
-      CHECK(leaving.wi == reflect(wo, up));
+    const Hit hit = hit_on(material);
+    for (const float side : {1.0f, -1.0f}) {
+      CAPTURE(side);
+      const Surface surface(hit, material, side * wo);
+      const auto one = [&](Lobe lobe) {
+        return sample(lobe, surface, Sampling::cosine, random);
+      };
+      CHECK(one(Lobe::diffuse).weight == material.kd);
+      CHECK(side * one(Lobe::diffuse).wi.z > 0);
+      CHECK(one(Lobe::specular).weight == material.ks);
+      CHECK(one(Lobe::specular).wi == side * reflect(wo, up));
+      const BsdfSample refracted = one(Lobe::refraction);
+      if (side < 0 && degrees > 41) {
+        CHECK(refracted.weight == material.kt);  // totally reflected
+        CHECK(refracted.wi == side * reflect(wo, up));
+        continue;
+      }
+      // Radiance grows by (eta_o / eta_i)^2 towards the side of wo.
+      CHECK(refracted.weight.z ==
+            doctest::Approx(side > 0 ? 0.5 / 2.25 : 0.5 * 2.25));
+      CHECK(side * refracted.wi.z < 0);
     }
   }
 }

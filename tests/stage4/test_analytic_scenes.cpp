@@ -30,7 +30,7 @@ std::vector<double> survivals() {
   wall.kd = Vec3(0.5f);
   std::vector<double> result;
   for (int bounce = 0; bounce < 400; ++bounce) {
-    const auto p = stage4::event_probabilities(wall, bounce);
+    const auto p = stage4::lobe_probabilities(wall, bounce);
     result.push_back(
         static_cast<double>(p.diffuse + p.specular + p.refraction));
   }
@@ -161,7 +161,7 @@ TEST_CASE("what loses no light is invisible in a white room, in the mean") {
     const Scene scene = in_white_room(one.material, one.shape);
     const PathTracer tracer(scene, {});
     // Where nothing can be absorbed early on, nothing is left to chance.
-    const auto p = stage4::event_probabilities(scene.materials.back(), 0);
+    const auto p = stage4::lobe_probabilities(scene.materials.back(), 0);
     const bool exact =
         one.exact && p.diffuse + p.specular + p.refraction == 1;
     Pixel pixel;

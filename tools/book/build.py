@@ -22,25 +22,23 @@ from offline import check_offline
 from symbols import symbols_page
 from weave import title_of, weave
 
-# The core, in the order in which it reads best.
-CORE = """math/vector math/random math/sine_cosine math/basis
-  geometry/ray geometry/plane geometry/sphere geometry/rectangle_and_triangle
-  geometry/lanes geometry/shape_list geometry/geometry geometry/ray_packet
-  geometry/path_group geometry/bounds geometry/bounding_volume_hierarchy
-  scene/material scene/light scene/scene scene/camera render/film
-  geometry/ray_count render/render geometry/inlining
-  program/instruction_sets image/tone_mapping image/pfm image/ppm""".split()
 PAGES = Path(__file__).parent / "pages"
 
 
+def core_names():
+    """The core's chapters in the order of its map, common/README.md."""
+    text = (ROOT / "common/README.md").read_text()
+    listed = re.findall(r"\]\((\w+/\w+)\.hpp\)", text)
+    headers = {p.relative_to(ROOT / "common").with_suffix("").as_posix(): p
+               for p in ROOT.glob("common/**/*.hpp")}
+    if set(listed) != set(headers) or len(listed) != len(headers):
+        odd = ", ".join(sorted(set(listed) ^ set(headers))) or "twice"
+        raise BookError(f"common/README.md and common/ differ: {odd}")
+    return [name for name in listed if "\n// # " in headers[name].read_text()]
+
+
 def core_headers():
-    titled = {p.relative_to(ROOT / "common").with_suffix("").as_posix()
-              for p in ROOT.glob("common/**/*.hpp")
-              if "\n// # " in p.read_text()}
-    if titled != set(CORE):
-        odd = ", ".join(sorted(titled ^ set(CORE)))
-        raise BookError(f"build.py and common/ differ on chapters: {odd}")
-    return [ROOT / f"common/{name}.hpp" for name in CORE]
+    return [ROOT / f"common/{name}.hpp" for name in core_names()]
 
 
 def write(path, lines):
@@ -74,7 +72,7 @@ def write_source(build, source, figures):
 def front_page(figures, with_mistakes):
     text = figures.filled((PAGES / "index.md").read_text())
     chapters = [f"stages/{p.parent.name}" for p in stage_headers()]
-    core = [f"core/{name}" for name in CORE]
+    core = [f"core/{name}" for name in core_names()]
     rest = ["symbols", "measurements", "further_reading"]
     rest += ["mistakes"] * with_mistakes
     lines = text.split("\n")
