@@ -16,6 +16,8 @@ SCENES_OF = {
 }
 SMALL = ["--size", "8x8", "--max-bounces", "5"]
 
+needs_stage4 = unittest.skipUnless("stage4" in built_stages(), "it is told by stage 4")
+
 CAMERA = """\
 [camera]
 origin = [0, 0, 0]
@@ -199,12 +201,14 @@ class WhatIsTold(Pixels):
             self.assertIn("ends       at a lamp\n", story)
             self.assertEqual(self.radiance(story), (3, 2, 1))
 
+    @needs_stage4
     def test_the_back_of_a_lamp(self):
         story = self.told_of(square("lamp", 2, towards_camera=False))
         self.assertRegex(story, r"adds +nothing: its back is black\n")
         self.assertRegex(story, r"normal .*  the path is behind\n")
         self.assertEqual(self.radiance(story), (0, 0, 0))
 
+    @needs_stage4
     def test_nothing_in_sight(self):
         story = self.told_of(square("white", -2))
         self.assertEqual(vertices_of(story), [])
@@ -212,6 +216,7 @@ class WhatIsTold(Pixels):
 
     # Before a white wall, with a lamp at the camera's back: most paths that
     # bounce off the wall come to the lamp, which the wall has asked already.
+    @needs_stage4
     def test_a_lamp_that_was_asked_before(self):
         shapes = square("white", 1) + square("lamp", -1, towards_camera=False)
         said = self.found(shapes, "this lamp was counted at the vertex before")
@@ -230,12 +235,14 @@ class WhatIsTold(Pixels):
                 return story
         self.fail(f"of no path is told {text!r}: {story}")
 
+    @needs_stage4
     def test_a_light_behind_something(self):
         shapes = square("white", 2) + sphere("white", -1, 0.5) + point_light(-2)
         story = self.told_of(shapes)
         self.assertRegex(story, r"light .*, +-\d\.\d+\)  at [\d.]+: blocked\n")
         self.assertRegex(story, r"adds .*\( +0, +0, +0\)  direct light\n")
 
+    @needs_stage4
     def test_how_a_path_goes_on_and_ends(self):
         for shapes, *expected in [
             (square("white", 1), "diffuse\n", "leaves the scene\n"),
@@ -251,6 +258,7 @@ class WhatIsTold(Pixels):
                 self.assertGreater(len(vertices_of(story)), 0)
 
     # Looking along the wall from inside the ball: beyond the critical angle.
+    @needs_stage4
     def test_total_internal_reflection(self):
         for material, said in [
             ("glass", "total internal reflection\n"),
