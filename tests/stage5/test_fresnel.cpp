@@ -164,4 +164,9 @@ TEST_CASE("how often glass reflects is F, and its picture's weight is 1") {
   CHECK(deviations(pixel, 0, 0.04) < 4.4);
   // Each sample is 0 or 1, so the variance is F (1 - F).
   CHECK(pixel.variance(0) == doctest::Approx(0.04 * 0.96).epsilon(0.07));
+  // At 75 degrees Fresnel's equations say 0.2531 and Schlick's curve 0.2547.
+  const Ray slanted{{0, 0, -5},
+                    {std::sin(5 * pi / 12), 0, std::cos(5 * pi / 12)}};
+  const Pixel aside = estimate(PathTracer(scene, {}), slanted, 100'000);
+  CHECK(aside.mean[0] == doctest::Approx(0.2539).epsilon(0.03));
 }
