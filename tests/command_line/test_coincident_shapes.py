@@ -35,31 +35,19 @@ tiles = { kd = { checker = [[0.8, 0.8, 0.8], [0.1, 0.1, 0.1]] } }
 
 
 def plane(normal, distance, material):
-    return (
-        f'type = "plane", normal = {normal}, distance = {distance}, '
-        f'material = "{material}"'
-    )
+    return f'type = "plane", normal = {normal}, distance = {distance}, material = "{material}"'
 
 
 def sphere(center, radius, material):
-    return (
-        f'type = "sphere", center = {center}, radius = {radius}, '
-        f'material = "{material}"'
-    )
+    return f'type = "sphere", center = {center}, radius = {radius}, material = "{material}"'
 
 
 def rectangle(corner, u, v, material):
-    return (
-        f'type = "rectangle", corner = {corner}, edge_u = {u}, edge_v = {v}, '
-        f'material = "{material}"'
-    )
+    return f'type = "rectangle", corner = {corner}, edge_u = {u}, edge_v = {v}, material = "{material}"'
 
 
 def triangle(a, b, c, material):
-    return (
-        f'type = "triangle", vertices = [{a}, {b}, {c}], '
-        f'material = "{material}"'
-    )
+    return f'type = "triangle", vertices = [{a}, {b}, {c}], material = "{material}"'
 
 
 def down(x, y, z, size, material):
@@ -88,17 +76,8 @@ class Scenes(InFolder):
         if program not in built_stages():
             self.skipTest(f"{program} is not built")
         lines = "".join(f"  {{ {shape} }},\n" for shape in shapes)
-        (self.folder / "scene.toml").write_text(
-            f"shapes = [\n{lines}]\n{head}{materials}"
-        )
-        return run(
-            program,
-            "scene.toml",
-            "-o",
-            "out.pfm",
-            *arguments,
-            folder=self.folder,
-        )
+        (self.folder / "scene.toml").write_text(f"shapes = [\n{lines}]\n{head}{materials}")
+        return run(program, "scene.toml", "-o", "out.pfm", *arguments, folder=self.folder)
 
     def mean_of(self, shapes, *arguments, **scene):
         result = self.result_of(shapes, *arguments, **scene)
@@ -126,35 +105,17 @@ class Means(Scenes):
     def check(self, shapes, expected, ceiling=1, programs=None):
         for order in [shapes, shapes[::-1]]:
             for program in programs or ["stage1", "stage2"]:
-                mean = self.mean_of(
-                    order,
-                    "--spp=300",
-                    program=program,
-                    head=seen_from(ceiling - 1),
-                )
+                mean = self.mean_of(order, "--spp=300", program=program, head=seen_from(ceiling - 1))
                 with self.subTest(program, first=order[0]):
                     self.assertAlmostEqual(mean / expected, 1, delta=0.02)
 
     def test_a_lamp_flush_with_the_ceiling(self):
-        gap = self.mean_of(
-            [*room(1), down(-0.5, 0.9999, -0.5, 1, "lamp")],
-            "--spp=300",
-            program="stage2",
-        )
+        gap = self.mean_of([*room(1), down(-0.5, 0.9999, -0.5, 1, "lamp")], "--spp=300", program="stage2")
         # At 0 there are no digits to be rounded.
         for y in [1, 0, -40]:
-            self.check(
-                [*room(y), down(-0.5, y, -0.5, 1, "lamp")], gap, ceiling=y
-            )
+            self.check([*room(y), down(-0.5, y, -0.5, 1, "lamp")], gap, ceiling=y)
         for tile in [down, up]:  # either side of what reflects
-            self.check(
-                [
-                    tile(-9, 1, -9, 18, "white"),
-                    *room(1)[1:],
-                    down(-0.5, 1, -0.5, 1, "lamp"),
-                ],
-                gap,
-            )
+            self.check([tile(-9, 1, -9, 18, "white"), *room(1)[1:], down(-0.5, 1, -0.5, 1, "lamp")], gap)
         # The same lamp twice shines once.
         self.check([*room(1), *2 * [down(-0.5, 1, -0.5, 1, "lamp")]], gap)
 
@@ -172,33 +133,18 @@ class Means(Scenes):
             program="stage2",
         )
         self.check(
-            [
-                rectangle(wide_corner, wide_u, wide_v, "white"),
-                *room(1)[1:],
-                rectangle(corner, u, v, "lamp"),
-            ],
+            [rectangle(wide_corner, wide_u, wide_v, "white"), *room(1)[1:], rectangle(corner, u, v, "lamp")],
             gap,
         )
 
     def test_a_lamp_that_shines_to_both_sides(self):
         for y in [0, 0.5]:
             gap = self.mean_of(
-                [
-                    *room(1),
-                    down(-0.5, y - 0.0001, -0.5, 1, "lamp"),
-                    up(-0.5, y, -0.5, 1, "lamp"),
-                ],
+                [*room(1), down(-0.5, y - 0.0001, -0.5, 1, "lamp"), up(-0.5, y, -0.5, 1, "lamp")],
                 "--spp=300",
                 program="stage2",
             )
-            self.check(
-                [
-                    *room(1),
-                    down(-0.5, y, -0.5, 1, "lamp"),
-                    up(-0.5, y, -0.5, 1, "lamp"),
-                ],
-                gap,
-            )
+            self.check([*room(1), down(-0.5, y, -0.5, 1, "lamp"), up(-0.5, y, -0.5, 1, "lamp")], gap)
 
     def test_slabs_of_glass_in_contact_absorb_nothing(self):
         def face(z, material, to_back):
@@ -216,11 +162,7 @@ class Means(Scenes):
         ]
         for order in itertools.permutations(shapes[2:]):
             mean = self.mean_of(
-                [*shapes[:2], *order],
-                "--spp=4",
-                "--max-bounces=9",
-                program="stage4",
-                materials=GLASS,
+                [*shapes[:2], *order], "--spp=4", "--max-bounces=9", program="stage4", materials=GLASS
             )
             self.assertAlmostEqual(mean, 1, delta=1e-5)
 
@@ -231,11 +173,7 @@ class Means(Scenes):
             wide = up(x - 9, y, -9, 18, "black")
             for ground in [floor, wide]:
                 mean = self.mean_of(
-                    [
-                        ground,
-                        plane([0, 1, 0], 50, "sky"),
-                        *cube(x - 0.5, y, -0.5, 1, "glass"),
-                    ],
+                    [ground, plane([0, 1, 0], 50, "sky"), *cube(x - 0.5, y, -0.5, 1, "glass")],
                     "--spp=4",
                     "--max-bounces=9",
                     program="stage4",
@@ -265,42 +203,22 @@ def warning(shape, other, why=ROUNDING, line=3, other_line=2, more=""):
 
 
 WARNED = {
-    "two planes": (
-        [FLOOR, plane([0, 1, 0], 1, "black")],
-        warning("plane", "plane"),
-    ),
-    "two planes with opposite normals": (
-        [FLOOR, plane([0, -2, 0], -2, "black")],
-        warning("plane", "plane"),
-    ),
-    "a rug that lies in the floor": (
-        [FLOOR, up(-0.5, -1, 0, 1, "black")],
-        warning("rectangle", "plane"),
-    ),
-    "a rug before the floor": (
-        [up(-0.5, -1, 0, 1, "black"), FLOOR],
-        warning("plane", "rectangle"),
-    ),
+    "two planes": ([FLOOR, plane([0, 1, 0], 1, "black")], warning("plane", "plane")),
+    "two planes with opposite normals": ([FLOOR, plane([0, -2, 0], -2, "black")], warning("plane", "plane")),
+    "a rug that lies in the floor": ([FLOOR, up(-0.5, -1, 0, 1, "black")], warning("rectangle", "plane")),
+    "a rug before the floor": ([up(-0.5, -1, 0, 1, "black"), FLOOR], warning("plane", "rectangle")),
     "a rug at height 0": (
         [up(-5, 0, -5, 10, "white"), up(-0.5, 0, 0, 1, "black")],
         warning("rectangle", "rectangle"),
     ),
     "a rug in a slanted floor": (
-        [
-            plane([0.6, 0.8, 0], 1, "white"),
-            rectangle([-0.6, -0.8, 0], [0.4, -0.3, 0], [0, 0, 1], "black"),
-        ],
+        [plane([0.6, 0.8, 0], 1, "white"), rectangle([-0.6, -0.8, 0], [0.4, -0.3, 0], [0, 0, 1], "black")],
         warning("rectangle", "plane"),
     ),
     "a small triangle in a large slope, which rounding tilts": (
         [
             rectangle([-800, 600, -9], [1600, -1200, 0], [0, 0, 18], "white"),
-            triangle(
-                [400.08, -300.06, 0],
-                [400.16, -300.12, 0.03],
-                [400.11, -300.0825, 0.1],
-                "black",
-            ),
+            triangle([400.08, -300.06, 0], [400.16, -300.12, 0.03], [400.11, -300.0825, 0.1], "black"),
         ],
         warning("triangle", "rectangle"),
     ),
@@ -309,17 +227,11 @@ WARNED = {
         warning("plane", "plane"),
     ),
     "a triangle within a rectangle": (
-        [
-            up(-5, -1, -5, 10, "white"),
-            triangle([0, -1, 0], [0, -1, 1], [1, -1, 0], "black"),
-        ],
+        [up(-5, -1, -5, 10, "white"), triangle([0, -1, 0], [0, -1, 1], [1, -1, 0], "black")],
         warning("triangle", "rectangle"),
     ),
     "a rectangle within a triangle, which comes first": (
-        [
-            triangle([-9, -1, -9], [-9, -1, 19], [19, -1, -9], "black"),
-            up(-1, -1, -1, 1, "white"),
-        ],
+        [triangle([-9, -1, -9], [-9, -1, 19], [19, -1, -9], "black"), up(-1, -1, -1, 1, "white")],
         warning("rectangle", "triangle"),
     ),
     "two strips that cross": (
@@ -336,14 +248,8 @@ WARNED = {
         ],
         warning("triangle", "triangle"),
     ),
-    "the same lamp twice": (
-        [LAMP, LAMP],
-        warning("rectangle", "rectangle", AS_ONE),
-    ),
-    "a brighter lamp in a lamp": (
-        [LAMP, down(0, 1, 0, 0.5, "bright")],
-        warning("rectangle", "rectangle"),
-    ),
+    "the same lamp twice": ([LAMP, LAMP], warning("rectangle", "rectangle", AS_ONE)),
+    "a brighter lamp in a lamp": ([LAMP, down(0, 1, 0, 0.5, "bright")], warning("rectangle", "rectangle")),
     "a small lamp in a large one far away": (
         [down(-50, 40, -50, 999, "lamp"), down(0, 40, 0, 0.5, "bright")],
         warning("rectangle", "rectangle"),
@@ -361,20 +267,13 @@ WARNED = {
         warning("rectangle", "rectangle", line=4, other_line=2),
     ),
     "three of them": (
-        [
-            FLOOR,
-            *(up(x, -1, 0, 1, "black") for x in range(3)),
-            sphere([0, 0, 0], 1, "white"),
-        ],
+        [FLOOR, *(up(x, -1, 0, 1, "black") for x in range(3)), sphere([0, 0, 0], 1, "white")],
         warning("rectangle", "plane", line=3, more=" (and 2 more)"),
     ),
 }
 
 WARNED_OF_GLASS = {
-    "doubled faces": (
-        2 * [up(0, 0, 0, 1, "glass")],
-        warning("rectangle", "rectangle"),
-    ),
+    "doubled faces": (2 * [up(0, 0, 0, 1, "glass")], warning("rectangle", "rectangle")),
     "a face doubled in part by other glass": (
         [up(0, 0, 0, 1, "glass"), up(0.5, 0, 0.5, 1, "water")],
         warning("rectangle", "rectangle"),
@@ -387,10 +286,7 @@ WARNED_OF_GLASS = {
         [plane([0, 1, 0], 1, "glass"), up(0, -1, 0, 1, "glass")],
         warning("rectangle", "plane"),
     ),
-    "a ball of glass, twice": (
-        2 * [sphere([0, 0, 0], 1, "glass")],
-        warning("sphere", "sphere"),
-    ),
+    "a ball of glass, twice": (2 * [sphere([0, 0, 0], 1, "glass")], warning("sphere", "sphere")),
     "squares of one pattern in other places": (
         [up(0, 0, 0, 1, "tiles"), up(0.5, 0, 0.25, 1, "tiles")],
         warning("rectangle", "rectangle"),
@@ -401,14 +297,8 @@ FINE = {
     "a lamp flush with the ceiling": [CEILING, LAMP],
     "a lamp flush with a rectangle": [up(-9, 1, -9, 18, "white"), LAMP],
     "a lamp at height 0": [up(-9, 0, -9, 18, "white"), up(0, 0, 0, 1, "lamp")],
-    "a lamp that shines to both sides": [
-        LAMP,
-        up(-0.5, 1, -0.5, 1, "bright"),
-    ],
-    "a lamp before a plane that shines": [
-        plane([0, -1, 0], 1, "sky"),
-        LAMP,
-    ],
+    "a lamp that shines to both sides": [LAMP, up(-0.5, 1, -0.5, 1, "bright")],
+    "a lamp before a plane that shines": [plane([0, -1, 0], 1, "sky"), LAMP],
     "the same matt square twice": 2 * [up(0, 0, 0, 1, "white")],
     "two materials that look alike": [FLOOR, up(0, -1, 0, 1, "paper")],
     "balls that touch": [
@@ -437,23 +327,14 @@ FINE = {
         triangle([1.05, 1.05, 0], [2, 1.3, 0], [1.3, 2, 0], "black"),
     ],
     "a rug a little above the floor": [FLOOR, up(0, -0.99998, 0, 1, "black")],
-    "a rug on a floor of kilometers": [
-        up(-9000, 0, -9000, 18000, "white"),
-        up(0, 0.001, 0, 1, "black"),
-    ],
+    "a rug on a floor of kilometers": [up(-9000, 0, -9000, 18000, "white"), up(0, 0.001, 0, 1, "black")],
 }
 
 FINE_OF_GLASS = {
     "a cube on the floor": [FLOOR, *cube(0, -1, 0, 1, "glass")],
-    "a cube on a cube": [
-        *cube(0, -1, 0, 1, "glass"),
-        *cube(0, 0, 0, 1, "water"),
-    ],
+    "a cube on a cube": [*cube(0, -1, 0, 1, "glass"), *cube(0, 0, 0, 1, "water")],
     "a lamp on a cube": [*cube(0, 0, 0, 1, "glass"), up(0, 1, 0, 1, "lamp")],
-    "a lamp that shines into a cube": [
-        *cube(0, 0, 0, 1, "glass"),
-        down(0, 1, 0, 1, "lamp"),
-    ],
+    "a lamp that shines into a cube": [*cube(0, 0, 0, 1, "glass"), down(0, 1, 0, 1, "lamp")],
     "the same tiles twice": 2 * [up(0, 0, 0, 1, "tiles")],
 }
 
@@ -499,13 +380,7 @@ class Warnings(Scenes):
         for scene in sorted(SCENES.glob("*.toml")):
             with self.subTest(scene.name):
                 result = run(
-                    built_stages()[-1],
-                    scene,
-                    "-o",
-                    "out.pfm",
-                    "--spp=1",
-                    "--size=1x1",
-                    folder=self.folder,
+                    built_stages()[-1], scene, "-o", "out.pfm", "--spp=1", "--size=1x1", folder=self.folder
                 )
                 if "introduces" in result.stderr:
                     continue  # the stage that can is not built
@@ -520,9 +395,7 @@ class Warnings(Scenes):
         self.assertEqual(self.said(tiles), "")
         extra = up(1.23, 0, 1.25, 0.02, "black")
         said = self.said([*tiles, extra])  # it lies in tile (12, 12)
-        expected = warning(
-            "rectangle", "rectangle", line=1602, other_line=2 + 12 * 40 + 12
-        )
+        expected = warning("rectangle", "rectangle", line=1602, other_line=2 + 12 * 40 + 12)
         self.assertEqual(said, expected + "\n")
 
     def test_a_mesh_with_creases_and_flat_parts(self):
