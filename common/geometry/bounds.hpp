@@ -1,6 +1,6 @@
 #pragma once
 
-// # Boxes
+// # Bounds
 //
 // A box with its sides along the axes is quickly met, and every shape but a
 // plane fits into one. A tree of boxes finds the few shapes near a ray among

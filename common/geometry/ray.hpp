@@ -14,12 +14,13 @@ struct Material;
 /// A slot that no shape has: see Geometry.
 inline constexpr std::int32_t no_slot = -1;
 
-/// A half-line. `direction` is a unit vector.
+/// A half-line. `direction` is a unit vector. The shape that it starts on is
+/// in the slot `leaves`; it is met again at the distance `again`, or never
+/// where that is not above 0.
 struct Ray {
   Vec3 origin, direction;
-  std::int32_t leaves = no_slot;  ///< the slot of the shape that it starts on
-  float again =
-      0;  ///< where it meets that shape again; 0 where it never does
+  std::int32_t leaves = no_slot;
+  float again = 0;
 };
 
 enum class ShapeType : std::uint8_t { plane, sphere, rectangle, triangle };

@@ -1,6 +1,6 @@
 #pragma once
 
-// # Frames
+// # A basis
 //
 // Directions are sampled about the z axis, where the formulas are short, and
 // then turned so that z becomes the surface's normal. Any two axes
@@ -18,7 +18,7 @@
 
 namespace lightwalk {
 
-// #region frame
+// #region basis
 /// Three unit axes, each perpendicular to the others, right-handed.
 struct Basis {
   Vec3 tangent, bitangent, normal;
@@ -42,6 +42,6 @@ struct Basis {
     return {dot(v, tangent), dot(v, bitangent), dot(v, normal)};
   }
 };
-// #endregion frame
+// #endregion basis
 
 }  // namespace lightwalk
