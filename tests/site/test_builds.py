@@ -94,8 +94,8 @@ class Book(Copy):
     def test_a_reference_that_leads_nowhere(self):
         self.change(
             "tools/book/pages/further_reading.md",
-            "([frames](core/math/basis.md))",
-            "([frames](core/math/bases.md))",
+            "([the basis](core/math/basis.md))",
+            "([the basis](core/math/bases.md))",
         )
         self.assert_refused("book", "further_reading.md", "core/math/bases.md", arguments=())
 
