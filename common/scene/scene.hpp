@@ -24,24 +24,27 @@ namespace lightwalk {
 // another. Which of the two a ray meets first is then for rounding to say,
 // and it says something else for each ray. So rectangles and triangles that
 // shine are moved a little in front of where they are, and those of glass a
-// little behind. For a lamp it is eight units in the last place of its
-// largest coordinate, as many as rays from all sides are off. For glass it is
-// two, because a pane must not be thinner than both of its steps.
+// little behind: by two units in the last place of their largest coordinate.
+// A pane must not be thinner than both of its steps. Where a ray meets a lamp
+// is rounded like the length of the ray, too, and most rays come from about
+// as far as the camera is. So a lamp takes eight units of that way more.
 
 // #region set-apart
-/// How far a shape is moved from where it is.
-inline Vec3 step_apart(const FlatShape& flat) {
+/// How far a shape is moved from where it is, in a scene seen from `eye`.
+inline Vec3 step_apart(const FlatShape& flat, const Vec3& eye) {
   const Vec3 half = 0.5f * (absolute(flat.edge_u) + absolute(flat.edge_v));
   const Vec3 middle = flat.corner + 0.5f * (flat.edge_u + flat.edge_v);
-  const float unit = flat_rounding * max_component(absolute(middle) + half);
-  if (flat.material->emits()) return 8 * unit * flat.normal;
-  if (flat.material->refracts()) return -2 * unit * flat.normal;
+  const float largest = max_component(absolute(middle) + half);
+  const float way = max_component(absolute(middle - eye) + half);
+  const Vec3 unit = flat_rounding * flat.normal;
+  if (flat.material->emits()) return (2 * largest + 8 * way) * unit;
+  if (flat.material->refracts()) return -2 * largest * unit;
   return Vec3(0);
 }
 
 template <class Flat>
-Flat set_apart(Flat flat) {
-  flat.corner += step_apart(flat);
+Flat set_apart(Flat flat, const Vec3& eye) {
+  flat.corner += step_apart(flat, eye);
   return flat;
 }
 // #endregion set-apart
@@ -63,9 +66,12 @@ struct Scene {
     return &materials.emplace_back(material);
   }
 
+  // Shapes come after the camera, from where they are seen.
   void add(const PointLight& light) { lights.push_back({light}); }
   void add(const Plane& plane) { geometry.add(plane); }
-  void add(const Triangle& triangle) { geometry.add(set_apart(triangle)); }
+  void add(const Triangle& triangle) {
+    geometry.add(set_apart(triangle, camera.origin));
+  }
   void add(Sphere sphere) {
     if (sphere.material->emits()) {
       sphere.light = &lights.emplace_back(Light{
@@ -74,7 +80,7 @@ struct Scene {
     geometry.add(sphere);
   }
   void add(const Rectangle& rectangle) {
-    Rectangle r = set_apart(rectangle);
+    Rectangle r = set_apart(rectangle, camera.origin);
     if (r.material->emits()) {
       r.light = &lights.emplace_back(Light{
           RectangleLight{r.corner, r.edge_u, r.edge_v, r.material->ke}});

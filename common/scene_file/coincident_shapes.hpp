@@ -91,7 +91,7 @@ class CoincidentShapes {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const Shape& shape = shapes[i];
       const Material& material = *shape.material;
-      const Vec3 a = shape.corner - step_apart(shape);
+      const Vec3 a = shape.corner - step_apart(shape, eye);
       const Vec3 b = a + shape.edge_u, c = a + shape.edge_v;
       const Vec3 edges = glm::abs(shape.edge_u) + glm::abs(shape.edge_v);
       Face& face = faces_.emplace_back();

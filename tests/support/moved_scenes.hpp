@@ -26,8 +26,7 @@ inline Vec3 on_grid(const Vec3& p) {
   return glm::round(512.0f * p) / 512.0f;
 }
 
-/// The file's scene, which has planes, spheres and point lights, after a
-/// motion. With `wall_radius`, the planes that do not shine are spheres.
+/// The file's scene, which has no triangles, after a motion. With `wall_radius`, the planes that do not shine are spheres.
 inline Scene moved(const Scene& scene, const Motion& motion,
                    float wall_radius = 0) {
   Scene result;
@@ -36,7 +35,6 @@ inline Scene moved(const Scene& scene, const Motion& motion,
   result.camera.left *= motion.scale;
   result.camera.up *= motion.scale;
   result.camera.forward *= motion.scale;
-  REQUIRE(scene.geometry.rectangles().empty());
   REQUIRE(scene.geometry.triangles().empty());
   for (const Plane& plane : scene.geometry.planes()) {
     const Material* material = result.add(*plane.material);
@@ -55,10 +53,17 @@ inline Scene moved(const Scene& scene, const Motion& motion,
     result.add(Sphere{motion.position(on_grid(sphere.center)),
                       motion.scale * radius, result.add(*sphere.material)});
   }
+  for (const Rectangle& one : scene.geometry.rectangles()) {
+    result.add(Rectangle{motion.position(on_grid(one.corner)),
+                         motion.scale * on_grid(one.edge_u),
+                         motion.scale * on_grid(one.edge_v),
+                         result.add(*one.material)});
+  }
   for (const Light& light : scene.lights) {
-    const auto point = std::get<PointLight>(light.form);
-    result.add(PointLight{motion.position(on_grid(point.center)),
-                          motion.scale * motion.scale * point.intensity});
+    const auto* point = std::get_if<PointLight>(&light.form);
+    if (!point) continue;  // a shape, which is there already
+    result.add(PointLight{motion.position(on_grid(point->center)),
+                          motion.scale * motion.scale * point->intensity});
   }
   return result;
 }
