@@ -4,14 +4,13 @@
 // for it, indicators, is no package of Debian's.
 
 #include <chrono>
-#include <condition_variable>
 #include <cstdio>
-#include <mutex>
+#include <optional>
 #include <string>
-#include <thread>
 
+#include "common/program/periodically.hpp"
 #include "common/program/with_unit.hpp"
-#include "common/render/render.hpp"
+#include "common/render/render_progress.hpp"
 
 #if __has_include(<unistd.h>)
 #include <unistd.h>
@@ -35,29 +34,18 @@ class ProgressLine {
   ProgressLine(const RenderProgress& progress, double total, bool wanted)
       : progress_(progress), total_(total) {
     if (wanted && stderr_is_terminal()) {
-      thread_ = std::thread([this] { run(); });
+      prints_.emplace(std::chrono::milliseconds(200), [this] { print(); });
     }
   }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() {
-    if (!thread_.joinable()) return;
-    {
-      const std::lock_guard lock(mutex_);
-      done_ = true;
-    }
-    wake_.notify_all();
-    thread_.join();
+    if (!prints_) return;
+    prints_.reset();
     std::fprintf(stderr, "\r\x1b[K");
   }
 
  private:
-  void run() {
-    using namespace std::chrono_literals;
-    std::unique_lock lock(mutex_);
-    while (!wake_.wait_for(lock, 200ms, [this] { return done_; })) print();
-  }
-
   void print() const {
     const std::chrono::duration<double> elapsed =
         std::chrono::steady_clock::now() - start_;
@@ -73,10 +61,7 @@ class ProgressLine {
   double total_;
   std::chrono::steady_clock::time_point start_ =
       std::chrono::steady_clock::now();
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool done_ = false;
-  std::thread thread_;
+  std::optional<Periodically> prints_;
 };
 
 }  // namespace lightwalk

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/image/image_file.hpp"
+#include "common/program/cost_warning.hpp"
 #include "common/program/instruction_sets.hpp"
 #include "common/program/memory.hpp"
 #include "common/program/options.hpp"
@@ -66,6 +67,47 @@ void with_file(const std::string& path, Use use) {
   }
 }
 
+/// Does something with a path tracer, and says so of what it throws.
+template <class Use>
+void with_path_tracer(Use use) {
+  try {
+    use();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const Stopped&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw std::runtime_error("error: the path tracer threw an exception: " +
+                             std::string(error.what()));
+  } catch (...) {
+    throw std::runtime_error(
+        "error: the path tracer threw something that is no std::exception");
+  }
+}
+
+/// While it lives, the path of this thread is listened to, up to a length
+/// that nobody would read.
+class Listener final : public RayWatcher {
+ public:
+  explicit Listener(PathLog& log) {
+    path_log = &log;
+    ray_watcher = this;
+  }
+  ~Listener() {
+    path_log = nullptr;
+    ray_watcher = nullptr;
+  }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  void look() override {
+    if (rays_cast - before_ > 100'000) throw Stopped();
+  }
+
+ private:
+  std::uint64_t before_ = rays_cast;
+};
+
 void check_files(const Options& options) {
   for (const std::string& path : options.outputs) {
     with_file(path, [&] { check_writable(path); });
@@ -93,6 +135,7 @@ void say_what_was_rendered(const Report& report) {
     std::printf("%s: %d x %d, %.0f samples per pixel\n", path.c_str(),
                 report.width, report.height, info.samples_per_pixel);
   }
+  if (info.samples == 0) return;
   const auto samples = static_cast<double>(info.samples);
   std::printf("%.2f s, %ssamples/s, %.3g rays per sample\n", report.seconds,
               with_unit(samples / report.seconds).c_str(),
@@ -115,7 +158,14 @@ int paint_scene(const Program& program, const Tracing& tracing,
     const double samples = static_cast<double>(camera.width) * camera.height *
                            settings.samples_per_pixel;
     const ProgressLine line(progress, samples, !options.quiet);
-    result = tracing.paint(loaded.scene, settings, interrupted, progress);
+    std::optional<CostWarning> warning;
+    if (!options.quiet) {
+      warning.emplace(program.name, progress, thread_count(settings.threads),
+                      samples);
+    }
+    with_path_tracer([&] {
+      result = tracing.paint(loaded.scene, settings, interrupted, progress);
+    });
   }
   const std::chrono::duration<double> elapsed =
       std::chrono::steady_clock::now() - start;
@@ -168,9 +218,16 @@ int tell_path(const Program& program, const Tracing& tracing,
                            std::to_string(camera.height) + " pixels");
   }
   PathLog log;
-  path_log = &log;
-  const Vec3 radiance = tracing.sample(loaded.scene, settings, which);
-  path_log = nullptr;
+  Vec3 radiance;
+  try {
+    const Listener listener(log);
+    with_path_tracer(
+        [&] { radiance = tracing.sample(loaded.scene, settings, which); });
+  } catch (const Stopped&) {
+    throw std::runtime_error(
+        "the sample follows more than 100,000 rays, too many to be told: try "
+        "fewer --max-bounces");
+  }
   std::printf("%s: pixel %d,%d, sample %u, seed %llu\n\n",
               program.name.c_str(), which.column, which.row, which.sample,
               static_cast<unsigned long long>(settings.seed));

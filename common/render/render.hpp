@@ -8,20 +8,26 @@
 // thread has its tile: so any number of threads gives the same bits.
 //
 // The samples are taken in passes over the whole picture, so that a render
-// that is interrupted leaves a whole picture with fewer samples behind.
+// that is interrupted leaves a whole picture with fewer samples behind. A
+// pixel has all samples of a pass or none, so that it does not matter which
+// of them take long.
+//
+// An exception of a path tracer ends the render. It comes out of `render`,
+// whichever thread met it.
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
-#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "common/geometry/inlining.hpp"
 #include "common/math/random.hpp"
 #include "common/render/film.hpp"
+#include "common/render/render_progress.hpp"
 #include "common/render/render_settings.hpp"
 #include "common/scene/scene.hpp"
 
@@ -36,12 +42,6 @@ struct Tile {
 /// Adds a tile's samples to the film, and stops early where `stop` is set.
 using TileRenderer =
     std::function<void(const Tile&, Film&, const std::atomic<bool>& stop)>;
-
-/// What a render has done so far; read while it runs to show progress.
-struct RenderProgress {
-  std::atomic<std::uint64_t> samples{0};
-  std::atomic<std::uint64_t> rays{0};
-};
 
 /// The light that one sample of a pixel brings to the camera.
 template <class PathTracer>
@@ -64,12 +64,15 @@ LIGHTWALK_IN_ONE_PIECE void render_tile(const PathTracer& tracer,
                                         const std::atomic<bool>& stop) {
   for (int row = tile.top; row < tile.bottom; ++row) {
     for (int column = tile.left; column < tile.right; ++column) {
-      if (stop.load(std::memory_order_relaxed)) return;
-      Pixel& pixel = film.pixel(column, row);
+      Pixel pixel = film.pixel(column, row);
       for (std::uint32_t sample = tile.first; sample < tile.last; ++sample) {
         pixel.add(
             sample_radiance(tracer, scene, seed, {column, row, sample}));
+        ++samples_taken;
       }
+      // Where a render is stopped, the last sample may have been cut.
+      if (stop.load(std::memory_order_relaxed)) return;
+      film.pixel(column, row) = pixel;
     }
   }
 }
@@ -78,7 +81,7 @@ LIGHTWALK_IN_ONE_PIECE void render_tile(const PathTracer& tracer,
 inline constexpr int tile_size = 16;
 inline constexpr std::uint32_t most_samples_in_a_pass = 64;
 
-/// Renders every tile of one pass.
+/// Renders every tile of one pass. Throws what a thread has thrown.
 inline void render_pass(const TileRenderer& render_tile, Film& film,
                         std::uint32_t first, std::uint32_t last, int threads,
                         const std::atomic<bool>& stop,
@@ -87,34 +90,40 @@ inline void render_pass(const TileRenderer& render_tile, Film& film,
   const int rows = (film.height() + tile_size - 1) / tile_size;
   const std::int64_t tiles = std::int64_t{columns} * rows;
   std::atomic<std::int64_t> next{0};
+  FirstException errors;
   const auto work = [&] {
-    for (std::int64_t i = next++; i < tiles && !stop; i = next++) {
-      Tile tile{static_cast<int>(i % columns) * tile_size,
-                0,
-                static_cast<int>(i / columns) * tile_size,
-                0,
-                first,
-                last};
-      tile.right = std::min(tile.left + tile_size, film.width());
-      tile.bottom = std::min(tile.top + tile_size, film.height());
-      const std::uint64_t rays_before = rays_cast;
-      render_tile(tile, film, stop);
-      progress.rays += rays_cast - rays_before;
-      progress.samples +=
-          std::uint64_t{last - first} *
-          static_cast<std::uint64_t>((tile.right - tile.left) *
-                                     (tile.bottom - tile.top));
+    RenderThread thread(stop, errors, progress);
+    try {
+      for (std::int64_t i = next++; i < tiles && !thread.is_over();
+           i = next++) {
+        Tile tile{static_cast<int>(i % columns) * tile_size,
+                  0,
+                  static_cast<int>(i / columns) * tile_size,
+                  0,
+                  first,
+                  last};
+        tile.right = std::min(tile.left + tile_size, film.width());
+        tile.bottom = std::min(tile.top + tile_size, film.height());
+        render_tile(tile, film, stop);
+        thread.publish();
+      }
+    } catch (const Stopped&) {
+      // Only the sample is lost.
+    } catch (...) {
+      errors.keep();
     }
   };
   std::vector<std::thread> helpers;
   const std::int64_t useful = std::min<std::int64_t>(threads, tiles);
   try {
+    helpers.reserve(static_cast<std::size_t>(useful));
     for (std::int64_t i = 1; i < useful; ++i) helpers.emplace_back(work);
-  } catch (const std::system_error&) {
+  } catch (const std::exception&) {
     // The system gives no more threads: those that there are do the work.
   }
   work();
   for (std::thread& helper : helpers) helper.join();
+  errors.rethrow();
 }
 
 /// How many threads `threads` asks for: 0 as many as the machine has.
@@ -124,6 +133,7 @@ inline int thread_count(int threads) {
 }
 
 /// Renders all samples of the picture, or as many as come before `stop`.
+/// Throws what the path tracer throws.
 inline void render(const TileRenderer& render_tile,
                    const RenderSettings& settings, Film& film,
                    const std::atomic<bool>& stop, RenderProgress& progress) {

@@ -90,7 +90,7 @@ struct Scene {
 
   /// The first surface that the ray meets, if there is one.
   std::optional<Hit> nearest_hit(const Ray& ray) const {
-    ++rays_cast;
+    count_ray();
     note_ray(ray);
     return geometry.nearest_hit(ray);
   }
@@ -98,7 +98,7 @@ struct Scene {
   /// Whether the ray reaches the light: it meets nothing before `distance`
   /// but the light itself.
   bool reaches(const Ray& ray, float distance, const Light& light) const {
-    ++rays_cast;
+    count_ray();
     const bool has_surface = !std::holds_alternative<PointLight>(light.form);
     const bool reached = has_surface ? geometry.reaches(ray, distance, light)
                                      : !geometry.occluded(ray, distance);
