@@ -13,6 +13,7 @@
 #include <iterator>
 #include <string>
 
+#include "common/image/file_bytes.hpp"
 #include "common/image/image_codecs.hpp"
 #include "common/image/image_error.hpp"
 #include "common/image/pfm.hpp"
@@ -144,12 +145,21 @@ inline RenderResult read_image(const std::string& path) {
   if (format != ".pfm" && format != ".ppm") {
     throw ImageError("its name ends in none of .exr, .png, .pfm, .ppm");
   }
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  if (!file) throw ImageError("it cannot be read");
-  result.radiance = format == ".pfm"
-                        ? decode_pfm(bytes)
-                        : decode_ppm_with_note(bytes, result.note);
+  if (format == ".pfm") {
+    const std::size_t most =
+        most_pfm_bytes(first_bytes(path, longest_pfm_header));
+    result.radiance = decode_pfm(first_bytes(path, most));
+    return result;
+  }
+  const std::size_t most =
+      most_ppm_bytes(first_bytes(path, longest_ppm_header));
+  if (const std::uintmax_t size = fs::file_size(path); size > most) {
+    throw ImageError("it has " + std::to_string(size) +
+                     " bytes, and its pixels take " + std::to_string(most) +
+                     " at most");
+  }
+  result.radiance =
+      decode_ppm_with_note(first_bytes(path, most), result.note);
   return result;
 }
 

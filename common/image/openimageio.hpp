@@ -9,6 +9,7 @@
 #include <string>
 
 #include "common/image/image_codecs.hpp"
+#include "common/image/image_limits.hpp"
 
 namespace lightwalk::openimageio {
 
@@ -20,23 +21,8 @@ using OIIO::TypeDesc;
 /// Fixed, so that equal renders are equal files.
 inline constexpr const char* date = "2000:01:01 00:00:00";
 
-/// More pixels than any picture has that a render could have made.
-inline constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
-
 inline std::string reason(const std::string& error, const char* otherwise) {
   return error.empty() ? otherwise : error;
-}
-
-/// What is wrong with a size, before a byte is allocated for it.
-inline std::string check_size(std::int64_t width, std::int64_t height,
-                              std::int64_t most) {
-  if (width <= 0 || height <= 0) return "it has no pixels";
-  if (width > most || height > most || width * height > most) {
-    return "its header claims " + std::to_string(width) + " x " +
-           std::to_string(height) + " pixels, more than " +
-           std::to_string(most);
-  }
-  return "";
 }
 
 // Each returns what went wrong, or an empty text: see ImageCodecs.

@@ -3,7 +3,10 @@
 // it, in one part: most readers know but one part.
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
+#include "common/image/exr_header.hpp"
 #include "common/image/exr_layers.hpp"
 #include "common/image/openimageio.hpp"
 #include "common/image/orientation.hpp"
@@ -65,9 +68,9 @@ std::string check_last_row(const std::string& path, const ImageSpec& spec) {
 std::string read_layer(ImageInput& in, const ExrLayer& layer, Image& image) {
   const ImageSpec spec = in.spec(layer.part);
   if (spec.deep || spec.depth > 1) return "it is not a flat image";
-  std::string error = check_size(spec.width, spec.height, most_pixels);
+  std::string error = check_size(spec.width, spec.height);
   if (error.empty()) {
-    error = check_size(spec.full_width, spec.full_height, most_pixels);
+    error = check_size(spec.full_width, spec.full_height);
   }
   if (!error.empty()) return error;
   const int left = std::max(spec.x, spec.full_x);
@@ -153,6 +156,10 @@ std::string write_exr(const std::string& path, const RenderResult& result) {
 }
 
 std::string read_exr(const std::string& path, RenderResult& result) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string claim =
+      ExrHeader(file, std::filesystem::file_size(path)).check();
+  if (!claim.empty()) return claim;
   auto in = ImageInput::open(path);
   if (!in) return reason(OIIO::geterror(), "it is not an image");
   const std::vector<ExrPart> parts = parts_of(*in);

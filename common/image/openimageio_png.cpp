@@ -1,9 +1,8 @@
 // PNG and JPEG files by OpenImageIO.
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "common/image/file_bytes.hpp"
 #include "common/image/openimageio.hpp"
 #include "common/image/orientation.hpp"
 #include "common/image/picture_file.hpp"
@@ -21,9 +20,7 @@ PictureFile inspect(const std::string& path) {
   if (std::filesystem::file_size(path) > most_bytes) {
     return {"it is larger than 1 GB", 1};
   }
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  return file ? inspect_picture(bytes) : PictureFile{"it cannot be read", 1};
+  return inspect_picture(first_bytes(path, most_bytes));
 }
 
 /// Reads the colors as they are stored: three values a pixel, upright. Grey

@@ -13,6 +13,7 @@
 
 #include "common/image/image.hpp"
 #include "common/image/image_error.hpp"
+#include "common/image/image_limits.hpp"
 
 namespace lightwalk {
 
@@ -47,9 +48,19 @@ inline std::size_t pfm_start(const std::string& bytes, std::size_t after,
                                                             : after + 1;
 }
 
-/// Reads both byte orders, color (`PF`) and grey (`Pf`).
-inline Image decode_pfm(const std::string& bytes) {
-  std::istringstream header(bytes.substr(0, 200));
+/// What the lines before the pixels say.
+struct PfmHeader {
+  int width, height;
+  std::size_t channels;
+  bool big_endian;
+  std::size_t end;         ///< of the scale; beyond the file if it ends there
+  std::size_t data_bytes;  ///< of all pixels
+};
+
+inline constexpr std::size_t longest_pfm_header = 200;
+
+inline PfmHeader read_pfm_header(const std::string& bytes) {
+  std::istringstream header(bytes.substr(0, longest_pfm_header));
   std::string magic;
   long long width = 0, height = 0;
   double scale = 0;
@@ -60,29 +71,43 @@ inline Image decode_pfm(const std::string& bytes) {
         "and "
         "a scale that is not 0");
   }
-  const std::size_t channels = magic == "PF" ? 3 : 1;
-  if (width < 1 || height < 1 || width > 65536 || height > 65536) {
-    throw ImageError("its header claims " + std::to_string(width) + " x " +
-                     std::to_string(height) + " pixels");
+  if (const std::string error = check_written_size(width, height);
+      !error.empty()) {
+    throw ImageError(error);
   }
-  const auto count =
-      static_cast<std::size_t>(width * height) * channels * sizeof(float);
-  const std::size_t start =
-      header.eof()
-          ? bytes.size() + 1
-          : pfm_start(bytes, static_cast<std::size_t>(header.tellg()), count);
+  const std::size_t channels = magic == "PF" ? 3 : 1;
+  return {
+      static_cast<int>(width),
+      static_cast<int>(height),
+      channels,
+      scale > 0,
+      header.eof() ? bytes.size() : static_cast<std::size_t>(header.tellg()),
+      static_cast<std::size_t>(width * height) * channels * sizeof(float)};
+}
+
+/// More bytes of the file than this nobody has to read.
+inline std::size_t most_pfm_bytes(const std::string& first_bytes) {
+  return 2 * longest_pfm_header + read_pfm_header(first_bytes).data_bytes;
+}
+
+/// Reads both byte orders, color (`PF`) and grey (`Pf`).
+inline Image decode_pfm(const std::string& bytes) {
+  const PfmHeader header = read_pfm_header(bytes);
+  const std::size_t count = header.data_bytes;
+  const std::size_t start = pfm_start(bytes, header.end, count);
   if (start > bytes.size() || bytes.size() - start < count) {
     throw ImageError("it is cut off: " + std::to_string(bytes.size()) +
                      " bytes, and its header promises " +
                      std::to_string(start + count));
   }
-  Image image(static_cast<int>(width), static_cast<int>(height));
+  Image image(header.width, header.height);
   const char* next = bytes.data() + start;
   const auto read_float = [&] {
     char raw[4];
     std::memcpy(raw, next, 4);
     next += 4;
-    if (scale > 0) std::swap(raw[0], raw[3]), std::swap(raw[1], raw[2]);
+    if (header.big_endian)
+      std::swap(raw[0], raw[3]), std::swap(raw[1], raw[2]);
     float value;
     std::memcpy(&value, raw, 4);
     return value;
@@ -90,7 +115,7 @@ inline Image decode_pfm(const std::string& bytes) {
   for (int row = image.height - 1; row >= 0; --row) {
     for (int column = 0; column < image.width; ++column) {
       Vec3& pixel = image.at(column, row);
-      if (channels == 1) {
+      if (header.channels == 1) {
         pixel = Vec3(read_float());
       } else {
         for (int c = 0; c < 3; ++c) pixel[c] = read_float();

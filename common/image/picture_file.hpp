@@ -2,13 +2,17 @@
 
 // # What PNG and JPEG files say beside their pixels
 //
-// The image library does not say two things that matter: that a JPEG ends
-// early, for its decoder fills the rest with grey and is content; and how a
-// PNG is to be turned. Both are found by walking over the file's pieces.
+// The image library does not say three things that matter: that a JPEG ends
+// early, for its decoder fills the rest with grey and is content; how a PNG
+// is to be turned; and that a file is too small for the pixels that it claims
+// to have, before it takes the memory for them. All are found by walking over
+// the file's pieces.
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+
+#include "common/image/image_limits.hpp"
 
 namespace lightwalk {
 
@@ -48,6 +52,39 @@ inline int exif_orientation(std::string_view exif) {
   return 1;
 }
 
+/// What is wrong with the size that a segment of a JPEG file claims, if it is
+/// one that does. A block of 8 x 8 pixels takes a bit at least but in
+/// arithmetic coding, which hardly anybody uses: of the small, any is taken.
+inline std::string check_jpeg_size(std::uint8_t marker, std::string_view data,
+                                   std::size_t file_size) {
+  const bool is_frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 &&
+                        marker != 0xc8 && marker != 0xcc;
+  if (!is_frame) return "";
+  const std::uint32_t height = number_at(data, 1, 2, true);
+  const std::uint32_t width = number_at(data, 3, 2, true);
+  const double pixels = static_cast<double>(width) * height;
+  return pixels <= 0x1p22
+             ? ""
+             : check_packed(width, height, pixels, file_size, 8 * 64);
+}
+
+/// What is wrong with the size in a PNG's first chunk: width, height, the
+/// bits of a channel, and the kind of color.
+inline std::string check_png_size(std::string_view bytes) {
+  const std::uint32_t width = number_at(bytes, 16, 4, true);
+  const std::uint32_t height = number_at(bytes, 20, 4, true);
+  const std::uint32_t bits = number_at(bytes, 24, 1, true);
+  const std::uint32_t color = number_at(bytes, 25, 1, true);
+  // Grey and palettes have 1 channel, RGB 3, and alpha is one more.
+  const std::uint32_t channels = color == 2   ? 3
+                                 : color == 6 ? 4
+                                 : color == 4 ? 2
+                                              : 1;
+  const double needed =
+      static_cast<double>(width) * height * channels * bits / 8;
+  return check_packed(width, height, needed, bytes.size(), most_packed);
+}
+
 /// Walks over the segments of a JPEG file. Data after its end marker are
 /// allowed: telephones put films there.
 inline PictureFile inspect_jpeg(std::string_view bytes) {
@@ -78,6 +115,8 @@ inline PictureFile inspect_jpeg(std::string_view bytes) {
         data.substr(0, 6) == std::string_view("Exif\0\0", 6)) {
       result.orientation = exif_orientation(data.substr(6));
     }
+    result.error = check_jpeg_size(marker, data, bytes.size());
+    if (!result.error.empty()) return result;
     at += 2 + length;
   }
   return cut;
@@ -86,7 +125,7 @@ inline PictureFile inspect_jpeg(std::string_view bytes) {
 /// Looks for EXIF among the chunks of a PNG file. That it is whole, the
 /// decoder finds out.
 inline PictureFile inspect_png(std::string_view bytes) {
-  PictureFile result;
+  PictureFile result{check_png_size(bytes), 1};
   for (std::size_t at = 8; at + 12 <= bytes.size();) {
     const std::size_t length = number_at(bytes, at, 4, true);
     if (length > bytes.size() - at - 12) break;

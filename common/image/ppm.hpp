@@ -13,6 +13,7 @@
 
 #include "common/image/image.hpp"
 #include "common/image/image_error.hpp"
+#include "common/image/image_limits.hpp"
 #include "common/image/tone_mapping.hpp"
 
 namespace lightwalk {
@@ -137,19 +138,40 @@ class PpmWords {
   bool has_max_ = false, in_pixels_ = false;
 };
 
-/// Sets `note` for a file that does not say what its numbers stand for.
-inline Image decode_ppm_with_note(const std::string& text,
-                                  std::string& note) {
-  PpmWords words(text);
+/// The width and height of a P3 file, which are its first words.
+struct PpmSize {
+  long long width, height;
+};
+
+inline PpmSize read_ppm_size(PpmWords& words) {
   if (words.word() != "P3")
     throw ImageError("it is not a plain PPM (P3) file");
   const long long width = words.number("its width");
   const long long height = words.number("its height");
-  const long long resolution = words.number("its color resolution");
-  if (width < 1 || height < 1 || width > 65536 || height > 65536) {
-    throw ImageError("its header claims " + std::to_string(width) + " x " +
-                     std::to_string(height) + " pixels");
+  if (const std::string error = check_written_size(width, height);
+      !error.empty()) {
+    throw ImageError(error);
   }
+  return {width, height};
+}
+
+/// Its size stands in the first bytes of a file, but for very long comments.
+inline constexpr std::size_t longest_ppm_header = 1 << 16;
+
+/// More bytes than a file of this size has: a number takes 11 at most, and
+/// there is twice as much room for comments.
+inline std::size_t most_ppm_bytes(const std::string& first_bytes) {
+  PpmWords words(first_bytes);
+  const auto [width, height] = read_ppm_size(words);
+  return 100 * static_cast<std::size_t>(width * height) + (1 << 20);
+}
+
+/// Sets `note` for a file that does not say what its numbers stand for.
+inline Image decode_ppm_with_note(const std::string& text,
+                                  std::string& note) {
+  PpmWords words(text);
+  const auto [width, height] = read_ppm_size(words);
+  const long long resolution = words.number("its color resolution");
   if (resolution < 1 || resolution > 0x7fffffff) {
     throw ImageError("its color resolution is " + std::to_string(resolution));
   }

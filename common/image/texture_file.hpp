@@ -14,6 +14,10 @@ namespace lightwalk {
 inline Texture load_texture(const std::string& folder,
                             const std::string& path) {
   namespace fs = std::filesystem;
+  // The file system would take the name to end there.
+  if (path.find('\0') != std::string::npos) {
+    throw ImageError("its name has a NUL character");
+  }
   std::error_code error;
   const fs::path root = fs::weakly_canonical(folder.empty() ? "." : folder);
   const fs::path file = fs::weakly_canonical(root / path, error);

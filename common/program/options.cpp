@@ -3,9 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <limits>
 #include <utility>
 
 #include "common/image/image_file.hpp"
@@ -70,6 +69,24 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& name,
       help);
 }
 
+/// An option that takes a whole number. All digits are decimal: CLI11 itself
+/// would read 010 as eight, wrap -1 to 2^64 - 1, and 2^64 to 0.
+template <class Number>
+CLI::Option* add_whole(CLI::App& app, const std::string& name,
+                       std::optional<Number>& value, Number least,
+                       Number most, const std::string& help) {
+  const auto parse = [=](const std::string& text) {
+    const auto number = whole_number<Number>(text);
+    return number && *number >= least && *number <= most ? number
+                                                         : std::nullopt;
+  };
+  return add_parsed(app, name, value, parse,
+                    "a whole number from " + std::to_string(least) + " to " +
+                        std::to_string(most),
+                    help)
+      ->type_name("N");
+}
+
 /// An option that takes one of these names, and stands for what they name.
 template <class Value>
 void choose_among(CLI::Option* option,
@@ -81,8 +98,9 @@ void choose_among(CLI::Option* option,
 
 const CLI::Validator is_number(
     [](const std::string& text) {
-      // CLI::Range lets "nan" through: it is neither below nor above.
-      return std::isnan(std::strtof(text.c_str(), nullptr))
+      // CLI::Range lets "nan" through: it is neither below nor above. And
+      // CLI11 reads "0x2", "1_0" and "1'0".
+      return text.find_first_not_of("0123456789+-.eE") != std::string::npos
                  ? "'" + text + "' is not a number"
                  : std::string();
     },
@@ -90,19 +108,15 @@ const CLI::Validator is_number(
 
 /// The options beside the scene that say what is rendered.
 void add_render_options(CLI::App& app, int most_bounces, Options& options) {
-  app.add_option("--spp", options.samples_per_pixel,
-                 "Samples per pixel [scene's, or 64]")
-      ->check(CLI::Range(1, 1'000'000'000));
-  app.add_option("--max-bounces", options.max_bounces,
-                 "Longest path, in bounces")
-      ->check(CLI::Range(0, most_bounces));
-  // CLI11 would wrap what does not fit: -1 to 2^64 - 1, 2^64 to 0.
-  add_parsed(app, "--seed", options.seed, whole_number<std::uint64_t>,
-             "a whole number from 0 to 18446744073709551615",
-             "Another seed gives other noise [1]");
-  app.add_option("--threads", options.threads,
-                 "Threads; 0 takes as many as the machine has [0]")
-      ->check(CLI::Range(0, 1024));
+  add_whole(app, "--spp", options.samples_per_pixel, 1, 1'000'000'000,
+            "Samples per pixel [scene's, or 64]");
+  add_whole(app, "--max-bounces", options.max_bounces, 0, most_bounces,
+            "Longest path, in bounces");
+  add_whole(app, "--seed", options.seed, std::uint64_t{0},
+            std::numeric_limits<std::uint64_t>::max(),
+            "Another seed gives other noise [1]");
+  add_whole(app, "--threads", options.threads, 0, 1024,
+            "Threads; 0 takes as many as the machine has [0]");
   add_parsed(app, "--size", options.size, size_of,
              "a size like 128x128, each from 1 to 65536",
              "Columns x rows, like 128x128 [scene's]")
@@ -183,9 +197,9 @@ std::optional<int> parse_options(int argc, char** argv,
                  "Tell one path of the pixel at column X, row Y, vertex by "
                  "vertex; no image is written")
           ->type_name("X,Y");
-  std::uint32_t sample = 0;
-  app.add_option("--sample", sample, "Which of the pixel's paths [0]")
-      ->check(CLI::Range(0, 999'999'999))
+  std::optional<std::uint32_t> sample;
+  add_whole(app, "--sample", sample, 0u, 999'999'999u,
+            "Which of the pixel's paths [0]")
       ->needs(pixel);
   std::vector<ToneStep> steps;
   std::optional<float> gamma;
@@ -203,7 +217,7 @@ std::optional<int> parse_options(int argc, char** argv,
   } catch (const CLI::ParseError& error) {
     return wrong_usage(program, error.what());
   }
-  if (options.pixel) options.pixel->sample = sample;
+  if (options.pixel) options.pixel->sample = sample.value_or(0);
   if (!steps.empty()) mapping.steps = steps;
   if (gamma) {
     mapping.gamma = *gamma;

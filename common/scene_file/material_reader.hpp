@@ -181,6 +181,12 @@ class MaterialReader {
         Texture& texture =
             scene_.textures.emplace_back(load_texture(folder_, path));
         known = textures_.emplace(path, &texture).first;
+        texels_ += texture.texels.size();
+        if (texels_ > most_texels) {
+          throw ImageError("the textures of a scene may have " +
+                           std::to_string(most_texels) +
+                           " pixels in all, and these are more");
+        }
       } catch (const std::exception& error) {
         fail_at(options.at("image"), "texture " + in_quotes(path) +
                                          " cannot be used: " + error.what());
@@ -227,7 +233,11 @@ class MaterialReader {
   const Syllabus& syllabus_;
   std::string folder_;
   Scene& scene_;
+  /// 800 MB of textures.
+  static constexpr std::size_t most_texels = std::size_t{1} << 28;
+
   std::map<std::string, const Texture*> textures_;
+  std::size_t texels_ = 0;
   std::map<std::string, const Material*, std::less<>> by_name_;
 };
 

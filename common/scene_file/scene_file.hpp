@@ -6,10 +6,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
+#include "common/image/file_bytes.hpp"
 #include "common/render/render_settings.hpp"
 #include "common/scene/scene.hpp"
 #include "common/scene_file/coincident_shapes.hpp"
@@ -124,8 +123,9 @@ class SceneReader {
   ShapeReader shapes_;
 };
 
-/// More bytes than any scene has: a wrong file must not fill the memory.
-inline constexpr std::uintmax_t most_scene_bytes = 1 << 30;
+/// More bytes than any scene has: two million triangles. A wrong file must
+/// not fill the memory.
+inline constexpr std::uintmax_t most_scene_bytes = 1 << 28;
 
 /// The bytes of a scene file. Folders and devices are refused.
 inline std::string read_scene_text(const std::string& path) {
@@ -139,23 +139,19 @@ inline std::string read_scene_text(const std::string& path) {
   if (fs::is_directory(status)) fail("is a folder, not a scene file");
   if (!fs::is_regular_file(status)) fail("is not a regular file");
   const std::uintmax_t size = fs::file_size(path, error);
-  if (!error && size > most_scene_bytes) fail("is larger than 1 GB");
-  std::ifstream file(path, std::ios::binary);
-  std::string text;
+  if (!error && size > most_scene_bytes) fail("is larger than 256 MB");
   try {
-    text.assign(std::istreambuf_iterator<char>(file), {});
-  } catch (
-      const std::ios::failure&) {  // as the C++ library of GCC reports it
+    return first_bytes(path, most_scene_bytes);
+  } catch (const ImageError&) {
     fail("cannot be read");
   }
-  if (!file) fail("cannot be read");
-  return text;
+  return {};
 }
 
 /// Reads the scene of a TOML text; `path` is what error messages call it.
 inline LoadedScene parse_scene(std::string_view text, const std::string& path,
                                const Syllabus& syllabus) {
-  check_key_parts(text, path);
+  check_extent(text, path);
   toml::table root;
   try {
     root = toml::parse(text, path);

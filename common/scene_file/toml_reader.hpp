@@ -77,10 +77,18 @@ std::string suggestion(std::string_view word, const Names& names) {
   return best.empty() ? "" : ", did you mean " + in_quotes(best) + "?";
 }
 
-/// Refuses keys of very many parts, such as a.a.a. ...: each part is a table
-/// in a table, which toml++ leaves again by recursion, and its own bound on
+/// More values than any scene has, which take 2.5 GB: a value of two
+/// characters takes 80 bytes.
+inline constexpr std::size_t most_values = std::size_t{1} << 25;
+
+/// Refuses what would take too much of toml++, before it reads the text.
+/// Keys of very many parts, such as a.a.a. ...: each part is a table in a
+/// table, which toml++ leaves again by recursion, and its own bound on
 /// nesting does not count them. No key of a scene has more than three.
-inline void check_key_parts(std::string_view text, const std::string& path) {
+/// And texts of very many values.
+inline void check_extent(std::string_view text, const std::string& path,
+                         std::size_t most = most_values) {
+  std::size_t values = 0;
   constexpr int most_dots = 15;
   int dots = 0;            // since the last character that is in no key
   std::string_view quote;  // what ends the string that we are in
@@ -117,6 +125,12 @@ inline void check_key_parts(std::string_view text, const std::string& path) {
     } else if (std::string_view("=,[]{}\n").find(rest[0]) !=
                std::string_view::npos) {
       dots = 0;
+      // One of these is before each value and each [table].
+      if (std::string_view("=,[{").find(rest[0]) != std::string_view::npos &&
+          ++values > most) {
+        fail_at({place, place, std::make_shared<const std::string>(path)},
+                "the file has more than " + std::to_string(most) + " values");
+      }
     }
     for (const char c : rest.substr(0, length)) {
       if (c == '\n') {
@@ -196,12 +210,13 @@ inline Vec3 read_color(const toml::node& node, const std::string& name) {
 
 inline int read_integer(const toml::node& node, const std::string& name,
                         int least, int most) {
-  const auto value = node.value<std::int64_t>();
-  if (!node.is_integer() || *value < least || *value > most) {
+  // Of an integer alone: toml++ would cast 1e300 to one, to see if it fits.
+  const toml::value<std::int64_t>* const value = node.as_integer();
+  if (!value || value->get() < least || value->get() > most) {
     fail_at(node, name + " must be a whole number from " +
                       std::to_string(least) + " to " + std::to_string(most));
   }
-  return static_cast<int>(*value);
+  return static_cast<int>(value->get());
 }
 
 inline std::string read_string(const toml::node& node,

@@ -367,6 +367,14 @@ edit(
     "2:11: 'origin' of [camera] must be finite",
 )
 edit("1e300", "radius = 0.3", "radius = 1e300", "25:10: 'radius' of a sphere must lie between -1e12 and 1e12")
+for huge in ("1e300", "-1e300", "nan", "inf", "-inf", "1e19"):
+    edit(
+        f"{huge} as a whole number",
+        "pixel = 1\n",
+        f"pixel = {huge}\n",
+        "9:21: 'samples_per_pixel' of [render] must be a whole number from 1 to 1000000000",
+        CANNOT_SEE if huge == "nan" else REFUSES,
+    )
 edit("1e400", "radius = 0.3", "radius = 1e400", "25:COLUMN: this is not TOML: ...")
 edit("a huge integer", "radius = 0.3", "radius = 1" + 30 * "0", "25:COLUMN: this is not TOML: ...")
 edit(

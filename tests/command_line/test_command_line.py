@@ -116,18 +116,32 @@ class Options(Programs):
             ("--size", "65537x1", "1x65537", "8.5x8", " 8x8", "8X8", "8 x 8"),
             ("--size", "99999999999999999999x1", "a\nb"),
             ("--spp", "", "0", "-1", "1.5", "many", "1000000001"),
-            ("--spp", "1" + 30 * "0"),
-            ("--max-bounces", "-1", "4097", "1.5", "none"),
-            ("--threads", "-1", "1025", "all", "0.5"),
-            ("--seed", "-1", "1.5", "x", "18446744073709551616"),
+            ("--spp", "1" + 30 * "0", "0x10", "1_0", "1'0", "1e1", " 8", "+8"),
+            ("--max-bounces", "-1", "4097", "1.5", "none", "0x1", "0b1", "1_0"),
+            ("--threads", "-1", "1025", "all", "0.5", "0x1"),
+            ("--seed", "-1", "1.5", "x", "18446744073709551616", "0x1"),
+            ("--pixel=1,1 --sample", "-1", "1000000000", "0.5", "0x1"),
+            ("--pixel", "1", "1,", "-1,1", "0x1,1", "1;1"),
             ("--sampling", "", "cos", "Uniform", "stratified"),
             ("--tone-map", "", "bright", "clamp,bright", "Clamp"),
-            ("--gamma", "0", "-1", "11", "nan", "inf", "x"),
-            ("--exposure", "41", "-41", "nan", "inf", "x"),
+            ("--gamma", "0", "-1", "11", "nan", "inf", "x", "0x2", "1_0"),
+            ("--exposure", "41", "-41", "nan", "inf", "x", "0x2", "1_0"),
         ]:
             for value in values:
                 with self.subTest(f"{option} {value}"):
-                    self.wrong(BOX, "-o", "out.pfm", f"{option}={value}", about=option)
+                    *others, last = f"{option}={value}".split(" ", option.count(" "))
+                    self.wrong(BOX, "-o", "out.pfm", *others, last, about=option.split(" ")[-1])
+
+    def test_whole_numbers_are_decimal(self):
+        said = self.render(
+            *["-o", "a.pfm", "--size=08x011", "--spp=010", "--max-bounces=010"],
+            *["--seed=010", "--threads=01"],
+        )
+        self.assertIn("a.pfm: 8 x 11, 10 samples per pixel\n", said)
+        self.render("-o", "b.pfm", "--size=8x11", "--spp=10", "--max-bounces=10", "--seed=10")
+        self.assertEqual(self.bytes_of("a.pfm"), self.bytes_of("b.pfm"))
+        told = self.render("--pixel=010,07", "--sample=010")
+        self.assertIn("pixel 10,7, sample 10,", told)
 
     def test_the_ends_of_the_ranges_are_taken(self):
         for option, *values in [

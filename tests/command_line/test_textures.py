@@ -65,7 +65,8 @@ class Textures(programs.InFolder):
 
     def check_refused(self, name, expected):
         result = self.render(name)
-        place = f"stage5: scenes/scene.toml:8:22: texture '{name[:60]}"
+        shown = name[:60].replace(r"\u0000", " ")
+        place = f"stage5: scenes/scene.toml:8:22: texture '{shown}"
         self.assert_one_line(result, place + "...")
         self.assertIn(expected, result.stderr)
         self.assertNotIn("out.pfm", self.files())
@@ -120,7 +121,14 @@ class Textures(programs.InFolder):
 
     def test_more_than_a_texture_may_have(self):
         self.put("large.png", png(20_000, 20_000, b"\0" * 1000))
+        self.check_refused("large.png", "bytes cannot hold 20000 x 20000 pixels")
+        # As long as a file of so many pixels is at least.
+        self.put("large.png", png(20_000, 20_000, b"\0" * 1000) + bytes(1_200_000))
         self.check_refused("large.png", "20000 x 20000 pixels, more than 67108864")
+
+    def test_a_name_with_a_nul(self):
+        self.put("a.png", GOOD)
+        self.check_refused(r"a.png\u0000.png", "its name has a NUL character")
 
     def test_no_pixels(self):
         self.put("none.png", png(0, 8, b""))
