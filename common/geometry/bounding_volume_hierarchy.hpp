@@ -21,32 +21,38 @@
 #include <vector>
 
 #include "common/geometry/bounds.hpp"
+#include "common/geometry/cut.hpp"
 #include "common/geometry/lanes.hpp"
 #include "common/geometry/ray.hpp"
 
 namespace lightwalk {
 
-// ## Building
+// ## How deep
 //
-// From the top: a list of shapes is cut in two, and the larger part again,
-// until there are eight parts or each fits into a pack. Where to cut? A ray
-// that meets a box meets a smaller box within it with a probability that is
-// the ratio of their surfaces. So the expected work after a cut is the number
-// of packs on each side, weighted with the surface of that side's box (the
-// surface area heuristic, Goldsmith and Salmon 1987). Trying every cut would
-// take long: the centers are sorted into 16 bins along each axis, and only
-// cuts between bins are tried (Wald, "On fast Construction of SAH-based
-// Bounding Volume Hierarchies", 2007).
+// A cut may take one shape away and leave a million. So from some depth on
+// parts are halved, that of most shapes first. Then a node's eight parts have
+// an eighth of its shapes each, rounded up. There are fewer than 2^32 shapes:
+// ten levels on, four of them would be left for a node, and these are a pack.
+// So there are no more than ten such levels. A walk down keeps seven children
+// of each node for later, at most, and what it needs for that is known.
 
 class BoundingVolumeHierarchy {
  public:
+  /// From this depth on parts are halved.
+  static constexpr int deepest_cut = 32;
+  static constexpr int most_levels = deepest_cut + 10;
+  static constexpr std::uint32_t no_shape = 0xffffffff;
+
   BoundingVolumeHierarchy() = default;
 
   /// `order` becomes the shapes' indices as the leaves have them, eight to a
-  /// pack; lanes that stay free have `no_shape`.
+  /// pack; lanes that stay free have `no_shape`. Parts are halved from the
+  /// depth `halved_from` on, at most `deepest_cut`.
   template <class Shape>
   BoundingVolumeHierarchy(const std::vector<Shape>& shapes,
-                          std::vector<std::uint32_t>& order) {
+                          std::vector<std::uint32_t>& order,
+                          int halved_from = deepest_cut)
+      : halved_from_(halved_from) {
     std::vector<Item> items;
     items.reserve(shapes.size());
     for (const Shape& shape : shapes) {
@@ -59,9 +65,18 @@ class BoundingVolumeHierarchy {
     order.shrink_to_fit();
   }
 
-  static constexpr std::uint32_t no_shape = 0xffffffff;
-
   bool empty() const { return nodes_.empty(); }
+
+  /// How many nodes are above each other.
+  int levels() const { return levels_; }
+
+  /// Shapes whose bounds are all the same: no tree can tell them apart.
+  struct Crowd {
+    std::size_t count = 0;
+    std::uint32_t first = no_shape;  ///< the least of their indices
+  };
+  /// The largest crowd, if it is more than a pack.
+  const Crowd& crowd() const { return crowd_; }
 
   // #region walk
   /// Calls `visit(pack)` for the packs that the ray may meet, the nearest of
@@ -123,6 +138,9 @@ class BoundingVolumeHierarchy {
   }
 
  private:
+  using Item = bvh::Item;
+  using Part = bvh::Part;
+
   /// A child is a node, or, as ~pack, a pack of shapes.
   struct Node {
     BoundsPack boxes;
@@ -132,50 +150,30 @@ class BoundingVolumeHierarchy {
     float distance;
     std::int32_t child;
   };
-  struct Item {
-    Bounds box;
-    std::uint32_t shape;
-  };
-
-  /// Some of the shapes, and what is around them and around their centers.
-  struct Part {
-    Item *begin, *end;
-    Bounds box, centers;
-
-    Part(Item* begin_, Item* end_) : begin(begin_), end(end_) {
-      for (const Item* item = begin; item != end; ++item) {
-        box.include(item->box);
-        centers.include(item->box.center());
-      }
-    }
-    std::ptrdiff_t size() const { return end - begin; }
-    bool fits_a_pack() const { return size() <= lane_count; }
-  };
-
-  // Below this depth parts are halved, which ends soon whatever the scene.
-  static constexpr int deepest_cut = 32;
-  static constexpr std::size_t stack_size = lane_count * (deepest_cut + 12);
-  static constexpr int bin_count = 16;
-
+  static constexpr std::size_t stack_size =
+      (lane_count - 1) * most_levels + 1;
   std::int32_t build(const Part& whole, int depth,
                      std::vector<std::uint32_t>& order) {
     const auto index = nodes_.size();
     nodes_.emplace_back();
+    levels_ = std::max(levels_, depth + 1);
+    const bool halved = depth >= halved_from_;
+    // Rays meet the largest box most often; of equals, most shapes matter.
+    const auto matters_less = [halved](const Part& a, const Part& b) {
+      const auto key = [halved](const Part& part) {
+        return std::pair(halved ? 0 : part.box.half_area(), part.size());
+      };
+      return b.fits_a_pack() < a.fits_a_pack() ||
+             (b.fits_a_pack() == a.fits_a_pack() && key(a) < key(b));
+    };
     std::vector<Part> parts{whole};
     while (parts.size() < lane_count) {
-      // Cut the part that rays meet most often.
-      std::size_t largest = parts.size();
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (!parts[i].fits_a_pack() &&
-            (largest == parts.size() ||
-             parts[i].box.half_area() > parts[largest].box.half_area())) {
-          largest = i;
-        }
-      }
-      if (largest == parts.size()) break;
-      const Part part = parts[largest];
-      Item* const middle = cut(part, depth);
-      parts[largest] = Part(part.begin, middle);
+      const auto most =
+          std::max_element(parts.begin(), parts.end(), matters_less);
+      if (most->fits_a_pack()) break;
+      const Part part = *most;
+      Item* const middle = halved ? part.begin + part.size() / 2 : cut(part);
+      *most = Part(part.begin, middle);
       parts.emplace_back(middle, part.end);
     }
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -198,61 +196,24 @@ class BoundingVolumeHierarchy {
     return ~pack;
   }
 
-  /// The bin of a center along an axis.
-  static int bin_of(const Part& part, const Item& item, int axis) {
-    const float low = part.centers.low[axis], high = part.centers.high[axis];
-    const float share = (item.box.center()[axis] - low) / (high - low);
-    return std::min(static_cast<int>(share * bin_count), bin_count - 1);
+  /// Arranges a part in two, and returns where the second begins.
+  Item* cut(const Part& part) {
+    const bvh::Cut best = bvh::best_cut(part);
+    if (best.all_are_equal) note_crowd(part);
+    return bvh::arrange(part, best);
   }
 
-  /// Arranges a part in two, and returns where the second begins.
-  static Item* cut(const Part& part, int depth) {
-    float best = infinity;
-    int best_axis = -1, best_bin = 0;
-    for (int axis = 0; axis < 3 && depth < deepest_cut; ++axis) {
-      const float extent = part.centers.high[axis] - part.centers.low[axis];
-      if (!(extent > 0 && extent < infinity)) continue;
-      struct Bin {
-        Bounds box;
-        std::ptrdiff_t count = 0;
-      };
-      std::array<Bin, bin_count> bins;
-      for (const Item* item = part.begin; item != part.end; ++item) {
-        Bin& bin = bins[static_cast<std::size_t>(bin_of(part, *item, axis))];
-        bin.box.include(item->box);
-        ++bin.count;
-      }
-      // The work to the right of each cut, then that to its left.
-      std::array<float, bin_count> right{};
-      Bin side;
-      const auto include = [&side](const Bin& bin) {
-        side.box.include(bin.box);
-        side.count += bin.count;
-        const std::ptrdiff_t packs =
-            (side.count + lane_count - 1) / lane_count;
-        return static_cast<float>(packs) * side.box.half_area();
-      };
-      for (std::size_t i = bin_count - 1; i > 0; --i) {
-        right[i] = include(bins[i]);
-      }
-      side = Bin{};
-      for (std::size_t i = 1; i < bin_count; ++i) {
-        const float work = include(bins[i - 1]) + right[i];
-        if (side.count > 0 && side.count < part.size() && work < best) {
-          best = work;
-          best_axis = axis;
-          best_bin = static_cast<int>(i);
-        }
-      }
+  void note_crowd(const Part& part) {
+    if (static_cast<std::size_t>(part.size()) <= crowd_.count) return;
+    crowd_ = {static_cast<std::size_t>(part.size()), no_shape};
+    for (const Item* item = part.begin; item != part.end; ++item) {
+      crowd_.first = std::min(crowd_.first, item->shape);
     }
-    // All in one place, or too deep already: any halves will do.
-    if (best_axis < 0) return part.begin + part.size() / 2;
-    return std::partition(part.begin, part.end, [&](const Item& item) {
-      return bin_of(part, item, best_axis) < best_bin;
-    });
   }
 
   std::vector<Node> nodes_;
+  int halved_from_ = deepest_cut, levels_ = 0;
+  Crowd crowd_;
 };
 
 }  // namespace lightwalk

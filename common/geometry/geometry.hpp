@@ -58,10 +58,33 @@ class Geometry {
            triangles().size();
   }
 
-  /// Sorts many shapes into trees. Without it every answer is the same, and
-  /// takes time in proportion to the number of shapes.
+  /// Sorts many shapes into trees. Without it answers take time in proportion
+  /// to the number of shapes. They are the same but where rounding decides:
+  /// for a ray that grazes a shape, or meets two at the same distance.
   void prepare() {
     std::apply([](auto&... list) { (list.prepare(), ...); }, lists_);
+  }
+
+  /// Shapes of one type that have the same bounds: each ray that comes near
+  /// tries all of them.
+  struct Crowd {
+    ShapeType type;
+    std::size_t count;
+    std::size_t first;  ///< the least of their indices
+  };
+  /// The largest crowd of prepared shapes; of none where there is no crowd.
+  Crowd crowd() const {
+    Crowd largest{ShapeType::plane, 0, 0};
+    ShapeType type = ShapeType::plane;
+    const auto look = [&](const auto& list) {
+      const auto& crowd = list.tree().crowd();
+      if (crowd.count > largest.count) {
+        largest = {type, crowd.count, crowd.first};
+      }
+      type = static_cast<ShapeType>(static_cast<int>(type) + 1);
+    };
+    std::apply([&](const auto&... list) { (look(list), ...); }, lists_);
+    return largest;
   }
 
   /// The first surface that the ray meets, if there is one.

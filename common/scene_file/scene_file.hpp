@@ -12,6 +12,7 @@
 #include "common/render/render_settings.hpp"
 #include "common/scene/scene.hpp"
 #include "common/scene_file/coincident_shapes.hpp"
+#include "common/scene_file/crowded_shapes.hpp"
 #include "common/scene_file/loaded_scene.hpp"
 #include "common/scene_file/material_reader.hpp"
 #include "common/scene_file/sha256.hpp"
@@ -164,8 +165,9 @@ inline LoadedScene parse_scene(std::string_view text, const std::string& path,
                   std::filesystem::path(path).parent_path().string())
           .read(root);
   loaded.sha256 = sha256(text);
-  if (const auto warning = coincident_shapes(loaded)) {
-    loaded.warnings.push_back(path + ':' + *warning);
+  for (const auto& warning :
+       {coincident_shapes(loaded), crowded_shapes(loaded)}) {
+    if (warning) loaded.warnings.push_back(path + ':' + *warning);
   }
   return loaded;
 }

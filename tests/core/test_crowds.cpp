@@ -1,0 +1,164 @@
+// Shapes that are hard on a tree of boxes: about one center, all in one
+// place, or each far from all others.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "common/geometry/geometry.hpp"
+#include "common/scene/material.hpp"
+#include "common/scene_file/scene_file.hpp"
+#include "tests/core/vectors.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+
+namespace {
+
+const Material material;
+
+Sphere sphere(const Vec3& center, float radius) {
+  return {center, radius, &material};
+}
+
+/// The levels of a tree in which each node has an eighth of its parent's
+/// shapes, and where eight are a pack.
+int even_levels(std::size_t shapes) {
+  int levels = 1;
+  while ((shapes = (shapes + 7) / 8) > 8) ++levels;
+  return levels;
+}
+
+std::vector<Sphere> random_spheres(int count) {
+  Random random(1, 0, 0);
+  std::vector<Sphere> spheres;
+  for (int i = 0; i < count; ++i) {
+    spheres.push_back(sphere(random_position(random, 9), random.uniform()));
+  }
+  return spheres;
+}
+
+}  // namespace
+
+TEST_CASE("a tree whose parts are halved is as low as it can be") {
+  for (const int count : {64, 100, 513, 4096, 5000}) {
+    std::vector<std::uint32_t> order;
+    const auto spheres = random_spheres(count);
+    const BoundingVolumeHierarchy tree(spheres, order, 0);
+    CAPTURE(count);
+    CHECK(tree.levels() == even_levels(spheres.size()));
+  }
+}
+
+TEST_CASE("a tree of shapes in one place is as low as it can be") {
+  const std::vector<Sphere> same(5000, sphere({1, 2, 3}, 1));
+  std::vector<std::uint32_t> order;
+  const BoundingVolumeHierarchy tree(same, order);
+  CHECK(tree.levels() == even_levels(same.size()));
+}
+
+// Each sphere is 17 times as far away as the one before, so each cut takes
+// one away. The crowd in the middle cannot be cut at all.
+TEST_CASE("a tree that is cut as badly as can be has room to be walked") {
+  std::vector<Sphere> spheres(600, sphere(Vec3(0), 1e-9f));
+  for (int axis = 0; axis < 3; ++axis) {
+    float distance = 1e-8f;
+    for (; distance < 1e9f; distance *= 17) {
+      for (const float side : {-1.0f, 1.0f}) {
+        Vec3 center(0);
+        center[axis] = side * distance;
+        spheres.push_back(sphere(center, 0.4f * distance));
+      }
+    }
+  }
+  std::vector<std::uint32_t> order;
+  const BoundingVolumeHierarchy tree(spheres, order);
+  const int lowest = even_levels(spheres.size());
+  CHECK(tree.levels() > 2 * lowest);
+  CHECK(tree.levels() <= BoundingVolumeHierarchy::most_levels);
+
+  Geometry plain, prepared;
+  for (const Sphere& one : spheres) {
+    plain.add(one);
+    prepared.add(one);
+  }
+  prepared.prepare();
+  Random random(3, 0, 0);
+  int hits = 0;
+  for (int i = 0; i < 500; ++i) {
+    const float far = std::pow(10.0f, 16 * random.uniform() - 7);
+    const Vec3 from = random_position(random, far);
+    const Ray ray{from,
+                  normalize(random_position(random, 0.3f * far) - from)};
+    const auto a = plain.nearest_hit(ray), b = prepared.nearest_hit(ray);
+    REQUIRE(a.has_value() == b.has_value());
+    if (a) CHECK(a->distance == b->distance);
+    hits += a.has_value();
+  }
+  CHECK(hits > 100);
+}
+
+// From outside, a ray meets the outermost first, at 3. A box that it enters
+// before may hold what is nearer; those of spheres below 1 / sqrt(3) of the
+// outermost lie within it. Cut anyhow, all boxes hold large spheres.
+TEST_CASE("of shells about one center the inner ones are not tried") {
+  std::vector<Sphere> shells;
+  for (int i = 0; i < 8000; ++i) {
+    shells.push_back(
+        sphere(Vec3(0), static_cast<float>(1 + i * 7919 % 8000) / 8000));
+  }
+  std::vector<std::uint32_t> order;
+  const BoundingVolumeHierarchy tree(shells, order);
+  const std::size_t packs = order.size() / lane_count;
+  Random random(5, 0, 0);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 out = normalize(random_position(random, 1));
+    std::size_t tried = 0;
+    tree.walk({4.0f * out, -out}, 3, [&](std::uint32_t) {
+      ++tried;
+      return 3.0f;
+    });
+    CHECK(tried > 0);
+    CHECK(tried < packs / 2);
+  }
+}
+
+TEST_CASE("the largest crowd of shapes in one place is known") {
+  Geometry geometry;
+  for (const Sphere& one : random_spheres(200)) geometry.add(one);
+  for (int i = 0; i < 100; ++i) geometry.add(sphere({1, 2, 3}, 0.5f));
+  for (int i = 0; i < 300; ++i) geometry.add(sphere({1, 2, 3}, 2));
+  for (int i = 0; i < 99; ++i) {
+    geometry.add(Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, &material});
+  }
+  CHECK(geometry.crowd().count == 0);
+  geometry.prepare();
+  CHECK(geometry.crowd().type == ShapeType::sphere);
+  CHECK(geometry.crowd().count == 300);
+  CHECK(geometry.crowd().first == 300);
+}
+
+TEST_CASE("a scene is told of very many shapes in one place") {
+  std::string text =
+      "[camera]\norigin = [0, 0, -4]\nleft = [-1, 0, 0]\nup = [0, 1, 0]\n"
+      "forward = [0, 0, 3]\n[materials]\nwhite = { kd = 0.5 }\n";
+  const auto add = [&](const std::string& radius) {
+    text += "[[shapes]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = " +
+            radius + "\nmaterial = \"white\"\n";
+  };
+  const auto warnings = [&] {
+    return parse_scene(text, "a.toml", {9, {}}).warnings;
+  };
+  for (int i = 1; i <= 1500; ++i) add(std::to_string(i));
+  CHECK(warnings().empty());
+  for (int i = 0; i < 1200; ++i) add("0.5");
+  const auto found = warnings();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0] ==
+        "a.toml:7508:1: warning: 1200 spheres take up the same place, this "
+        "one first: each ray that comes near tries all of them, and that "
+        "takes long");
+}
