@@ -6,6 +6,7 @@
 // whose path contains PART, fails once. WHAT is an errno, or "short": fewer
 // bytes are written than were given; or "signal15": the signal comes first;
 // or "plant": a link to LIGHTWALK_VICTIM is put under the name that is opened.
+// Where fsync or close fails, half of the file is lost.
 // LIGHTWALK_CALLS names a file to which each of the calls is logged, one a
 // line: call, path, and for open the flags.
 
@@ -102,6 +103,15 @@ std::string path_of(int descriptor) {
   return found == all.open_files.end() ? "" : found->second;
 }
 
+/// What a disk that fails late has lost.
+void lose_half(int descriptor) {
+  if (errno == EINTR) return;
+  const int error = errno;
+  const off_t size = lseek(descriptor, 0, SEEK_END);
+  if (ftruncate(descriptor, size / 2) != 0) std::abort();
+  errno = error;
+}
+
 template <class Function>
 Function* real(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
@@ -159,7 +169,9 @@ ssize_t write(int descriptor, const void* data, size_t size) {
 int fsync(int descriptor) {
   const std::string path = path_of(descriptor);
   if (path.empty()) return real<int(int)>("fsync")(descriptor);
-  return fails(fate("fsync", path)) ? -1 : 0;  // no test pulls the plug
+  if (!fails(fate("fsync", path))) return 0;  // no test pulls the plug
+  lose_half(descriptor);
+  return -1;
 }
 
 int close(int descriptor) {
@@ -171,9 +183,12 @@ int close(int descriptor) {
     const std::lock_guard lock(all.mutex);
     all.open_files.erase(descriptor);
   }
-  const std::string what = fate("close", path);
+  const bool failed = fails(fate("close", path));
+  const int error = errno;
+  if (failed) lose_half(descriptor);
   const int result = call(descriptor);  // Linux closes whatever it returns
-  return fails(what) ? -1 : result;
+  if (failed) errno = error;
+  return failed ? -1 : result;
 }
 
 int rename(const char* from, const char* to) noexcept {
