@@ -127,7 +127,8 @@ int paint_scene(const Program& program, const Tracing& tracing,
   };
   const bool all_written = write_files(program.name, options, result, report);
   say_what_was_dropped(info);
-  if (!options.quiet) say_what_was_rendered(report);
+  const bool any_written = all_written || !report.outputs.empty();
+  if (any_written && !options.quiet) say_what_was_rendered(report);
   if (report.interrupted) {
     std::fprintf(stderr,
                  "%s: interrupted after %.0f of %d samples per pixel\n",
