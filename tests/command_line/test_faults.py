@@ -17,7 +17,7 @@ import sys
 import tempfile
 import unittest
 
-from programs import BUILD, SCENES, InFolder, run
+from programs import BUILD, SCENES, InFolder, run, with_signals
 
 LIBRARY = BUILD / "libfailing_writes.so"
 BOX = SCENES / "cornell_box_ceiling_diffuse.toml"
@@ -72,7 +72,8 @@ class Faults(InFolder):
 
     def run_with(self, faults, program, *arguments, **more):
         """Runs with faults: (part of the path, call, which of them, what)."""
-        return run(program, *arguments, folder=self.out, env=self.environment(faults, **more))
+        environment = self.environment(faults, **more)
+        return run(program, *arguments, folder=self.out, env=environment, **with_signals())
 
     def calls(self, folder=None):
         """The calls that the last run made on files in a folder."""

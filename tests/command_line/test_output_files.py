@@ -12,7 +12,7 @@ import threading
 import time
 import unittest
 
-from programs import BUILD, HANG, SCENES, InFolder, read_pfm, run
+from programs import BUILD, HANG, SCENES, InFolder, read_pfm, run, with_signals
 
 BOX = SCENES / "cornell_box_ceiling_diffuse.toml"
 SMALL = ["--size", "8x8", "--spp", "1"]
@@ -220,10 +220,6 @@ class Interrupts(Outputs):
     FIRST_PASS, LATER = 20, 64 + 20
 
     def interrupted(self, at, *signals, spp=1000, ignored=(), outputs=("out.pfm",)):
-        def ignore():
-            for number in ignored:
-                signal.signal(number, signal.SIG_IGN)
-
         arguments = ["--spp", str(spp), "--size", "8x8", "--threads", "1", "--report", "a.json"]
         for output in outputs:
             arguments += ["-o", output]
@@ -231,7 +227,7 @@ class Interrupts(Outputs):
             [BUILD / "pausing", BOX, *arguments],
             cwd=self.folder,
             env={**os.environ, "PAUSE_AT": str(at)},
-            preexec_fn=ignore,
+            **with_signals(ignored),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
