@@ -54,6 +54,14 @@ class WhatIsThere(Outputs):
             (self.folder / "link").unlink()
         self.assertEqual(self.files(), ["b.pfm", "deep", "none_yet.pfm"])
 
+    def test_a_link_is_read_where_it_is(self):
+        (self.folder / "deep/er").mkdir(parents=True)
+        (self.folder / "deep/a.pfm").symlink_to("er/b.pfm")
+        (self.folder / "deep/er/b.pfm").symlink_to("../../c.pfm")
+        self.assert_done(self.render("-o", "deep/a.pfm"))
+        self.assert_whole(self.folder / "c.pfm")
+        self.assertEqual(self.files(), ["c.pfm", "deep"])
+
     def test_links_that_lead_nowhere(self):
         (self.folder / "a.pfm").symlink_to("b.pfm")
         (self.folder / "b.pfm").symlink_to("a.pfm")
