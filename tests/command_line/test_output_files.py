@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import pty
 import re
 import resource
 import signal
@@ -10,6 +11,7 @@ import stat
 import subprocess
 import threading
 import time
+import tty
 import unittest
 
 from programs import BUILD, HANG, SCENES, InFolder, read_pfm, run, with_signals
@@ -32,6 +34,11 @@ class Outputs(InFolder):
 
     def assert_whole(self, path):
         self.assertEqual(read_pfm(path)[:2], (8, 8))
+
+    def not_root(self):
+        """Options for a program that may change nothing but what is in the folder."""
+        self.folder.chmod(0o777)
+        return {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
 
     def mode(self, path):
         return stat.S_IMODE(path.stat().st_mode)
@@ -105,9 +112,7 @@ class WhatIsThere(Outputs):
     def test_a_file_that_is_read_only_is_not_replaced(self):
         self.out.write_text(OLD)
         self.out.chmod(0o444)
-        self.folder.chmod(0o777)
-        other = {"user": 65534} if os.geteuid() == 0 else {}
-        result = self.render("-o", "out.pfm", **other)
+        result = self.render("-o", "out.pfm", **self.not_root())
         self.assert_one_line(result, "stage1: out.pfm cannot be written: Permission denied")
         self.assertEqual(self.out.read_text(), OLD)
         self.assertEqual(self.files(), ["out.pfm"])
@@ -190,15 +195,30 @@ class PipesAndDevices(Outputs):
         self.assertEqual((self.folder / "all").read_bytes(), b"first\n" + expected + b"last\n")
         self.assertEqual(self.files(), ["all", "out.pfm", "plain.pfm"])
 
+    def test_a_device_gets_the_picture(self):
+        """A terminal of the test's own: where /dev/null is, a broken program run by root could put a file."""
+        self.assert_done(self.render("-o", "plain.pfm"))
+        expected = (self.folder / "plain.pfm").read_bytes()
+        ours, theirs = pty.openpty()
+        tty.setraw(theirs)
+        self.out.symlink_to(os.ttyname(theirs))
+        self.assert_done(self.render("-o", "out.pfm"))
+        data = b""
+        while len(data) < len(expected):
+            data += os.read(ours, 4096)
+        self.assertEqual(data, expected)
+        self.assertEqual(self.files(), ["out.pfm", "plain.pfm"])
+        os.close(theirs)
+        os.close(ours)
+
     @unittest.skipUnless(os.path.exists("/dev/full"), "needs Linux")
-    def test_devices(self):
-        self.out.symlink_to("/dev/full")
-        result = self.render("-o", "out.pfm")
-        self.assertEqual(result.stderr, "stage1: out.pfm cannot be written: No space left on device\n")
-        self.assertEqual(result.returncode, 1)
-        (self.folder / "null.pfm").symlink_to("/dev/null")
-        self.assert_done(self.render("-o", "null.pfm"))
-        self.assertTrue(pathlib.Path("/dev/null").is_char_device())
+    def test_a_full_device_is_an_error(self):
+        """An open file, and not run by root: a broken program shall not replace the device."""
+        full = os.open("/dev/full", os.O_WRONLY)
+        self.addCleanup(os.close, full)
+        self.out.symlink_to(f"/dev/fd/{full}")
+        result = self.render("-o", "out.pfm", pass_fds=[full], **self.not_root())
+        self.assert_one_line(result, "stage1: out.pfm cannot be written: No space left on device")
 
 
 class SeveralFiles(Outputs):
