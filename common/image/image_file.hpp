@@ -1,7 +1,7 @@
 #pragma once
 
 // Images in files, told apart by the ending of their name. An image is
-// encoded in memory first: what can go wrong with a file is then in one place.
+// encoded in memory first, so what can go wrong with a file is in one place.
 
 #include <algorithm>
 #include <array>
