@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/image/image_file.hpp"
+#include "common/program/signals.hpp"
 #include "common/scene_file/message_text.hpp"
 #include "compare/comparison.hpp"
 #include "compare/verdict.hpp"
@@ -268,6 +269,7 @@ int main(int argc, char** argv) {
                  one_line(error.what()).c_str());
     return 2;
   }
+  catch_ending_signals(end_by_signal);
   try {
     return compare(a, b, picture, json);
   } catch (const std::exception& error) {

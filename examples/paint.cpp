@@ -3,10 +3,9 @@
 //
 //     c++ -std=c++20 -O2 -pthread -I . examples/paint.cpp -o paint && ./paint
 
-#include <fstream>
-
-#include "common/image/pfm.hpp"
 #include "common/render/paint.hpp"
+#include "common/image/pfm.hpp"
+#include "common/image/write_file.hpp"
 #include "stages/4_russian_roulette/path_tracer.hpp"
 
 using namespace lightwalk;
@@ -33,5 +32,5 @@ int main() {
   scene.camera.width = scene.camera.height = 128;
   const auto picture =
       paint<stage4::PathTracer>(scene, {.samples_per_pixel = 16});
-  std::ofstream("box.pfm", std::ios::binary) << encode_pfm(picture.radiance);
+  write_file("box.pfm", encode_pfm(picture.radiance));
 }

@@ -20,11 +20,11 @@ namespace lightwalk {
 
 /// Each function returns what went wrong, or an empty string.
 struct ImageCodecs {
-  std::string (*write_exr)(const std::string& path, const RenderResult&);
-  /// Eight bits a channel; the image is already in [0, 1], and light to the
-  /// power of 1 / `gamma`.
-  std::string (*write_png)(const std::string& path, const Image&,
-                           float gamma);
+  /// The bytes of an EXR file.
+  std::string (*encode_exr)(const RenderResult&, std::string& bytes);
+  /// Those of a PNG file with eight bits a channel; the image is already in
+  /// [0, 1], and light to the power of 1 / `gamma`.
+  std::string (*encode_png)(const Image&, float gamma, std::string& bytes);
   /// Reads the channels R, G, B, and the layer `variance` if there is one;
   /// of files with other layers, one that is called like a picture.
   std::string (*read_exr)(const std::string& path, RenderResult&);

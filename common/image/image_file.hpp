@@ -1,13 +1,10 @@
 #pragma once
 
-// Images in files, told apart by the ending of their name. A file is written
-// beside its place under another name and then renamed, so that under the
-// wanted name there is always a whole image: the old one or the new one.
+// Images in files, told apart by the ending of their name. An image is
+// encoded in memory first, so what can go wrong with a file is in one place.
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -20,6 +17,7 @@
 #include "common/image/ppm.hpp"
 #include "common/image/render_result.hpp"
 #include "common/image/tone_mapping.hpp"
+#include "common/image/write_file.hpp"
 
 namespace lightwalk {
 
@@ -46,83 +44,35 @@ inline const ImageCodecs& need_image_codecs() {
   return *library;
 }
 
-/// The name under which a file is written before it is renamed.
-inline std::string unfinished_name(const std::string& path) {
-  const std::filesystem::path target(path);
-  std::filesystem::path name = target.parent_path();
-  name /= "." + target.stem().string() + ".unfinished" +
-          target.extension().string();
-  return name.string();
-}
-
-inline void write_bytes(const std::string& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-  file.close();
-  if (!file) throw ImageError(std::strerror(errno));
-}
-
-/// OpenImageIO says that a PNG is written even where the disk was full. The
-/// file is whole if it ends as every PNG does.
-inline void check_png_is_whole(const std::string& path) {
-  std::string last(8, ' ');
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(-8, std::ios::end).read(last.data(), 8);
-  if (!file || last != "IEND\xae\x42\x60\x82") {
-    throw ImageError("the file is cut off: is the disk full?");
-  }
-}
-
 /// Throws an ImageError if no image can be written under this name.
 inline void check_writable(const std::string& path) {
-  namespace fs = std::filesystem;
+  check_place(path);
   const std::string format = ending(path);
   if (format == ".exr" || format == ".png") need_image_codecs();
-  std::error_code error;
-  const fs::path folder = fs::path(path).parent_path();
-  if (!folder.empty() && !fs::is_directory(folder, error)) {
-    throw ImageError("there is no folder '" + folder.string() + "'");
-  }
-  const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) throw ImageError("it is a folder");
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
-    throw ImageError("it is not a regular file");
-  }
-  errno = 0;
-  const std::string trial = unfinished_name(path);
-  std::ofstream file(trial, std::ios::binary);
-  if (!file) throw ImageError(std::strerror(errno));
-  file.close();
-  fs::remove(trial, error);
 }
 
-/// Writes the image in the format that the name's ending asks for.
+/// The file's bytes, in the format that an ending like ".exr" asks for.
+inline std::string encode_image(const std::string& format,
+                                const RenderResult& result,
+                                const ToneMapping& mapping) {
+  if (format == ".pfm") return encode_pfm(result.radiance);
+  if (format == ".ppm") return encode_ppm(result.radiance);
+  const ImageCodecs& library = need_image_codecs();
+  std::string bytes;
+  const std::string error =
+      format == ".exr"
+          ? library.encode_exr(result, bytes)
+          : library.encode_png(tone_map(result.radiance, mapping),
+                               encoding_gamma(mapping), bytes);
+  if (!error.empty()) throw ImageError(error);
+  return bytes;
+}
+
+/// Writes the image in the format that the name's ending asks for. Where that
+/// fails, what was there before still is.
 inline void write_image(const std::string& path, const RenderResult& result,
                         const ToneMapping& mapping) {
-  const std::string unfinished = unfinished_name(path);
-  const auto check = [](const std::string& error) {
-    if (!error.empty()) throw ImageError(error);
-  };
-  try {
-    const std::string format = ending(path);
-    if (format == ".exr") {
-      check(need_image_codecs().write_exr(unfinished, result));
-    } else if (format == ".png") {
-      check(need_image_codecs().write_png(unfinished,
-                                          tone_map(result.radiance, mapping),
-                                          encoding_gamma(mapping)));
-      check_png_is_whole(unfinished);
-    } else if (format == ".pfm") {
-      write_bytes(unfinished, encode_pfm(result.radiance));
-    } else {
-      write_bytes(unfinished, encode_ppm(result.radiance));
-    }
-    std::filesystem::rename(unfinished, path);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(unfinished, ignored);
-    throw;
-  }
+  write_file(path, encode_image(ending(path), result, mapping));
 }
 
 /// Reads an image; what a format does not hold is left empty.

@@ -68,8 +68,8 @@ lightwalk_image_codecs();
 
 const lightwalk::ImageCodecs* lightwalk_image_codecs() {
   static const lightwalk::ImageCodecs library = {
-      guarded<write_exr, const std::string&, const RenderResult&>,
-      guarded<write_png, const std::string&, const Image&, float>,
+      guarded<encode_exr, const RenderResult&, std::string&>,
+      guarded<encode_png, const Image&, float, std::string&>,
       guarded<read_exr, const std::string&, RenderResult&>,
       guarded<read_png, const std::string&, Image&>,
       guarded<read_texture, const std::string&, Texture&>};

@@ -25,11 +25,14 @@ inline std::string reason(const std::string& error, const char* otherwise) {
   return error.empty() ? otherwise : error;
 }
 
+/// Encodes pixels of floats in a format that is named like "exr".
+std::string encode(const std::string& format, const ImageSpec& spec,
+                   const float* pixels, std::string& bytes);
+
 // Each returns what went wrong, or an empty text: see ImageCodecs.
-std::string write_exr(const std::string& path, const RenderResult& result);
+std::string encode_exr(const RenderResult& result, std::string& bytes);
 std::string read_exr(const std::string& path, RenderResult& result);
-std::string write_png(const std::string& path, const Image& image,
-                      float gamma);
+std::string encode_png(const Image& image, float gamma, std::string& bytes);
 std::string read_png(const std::string& path, Image& image);
 std::string read_texture(const std::string& path, Texture& texture);
 

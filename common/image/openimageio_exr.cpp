@@ -49,20 +49,6 @@ RenderInfo description(const ImageSpec& spec) {
   return info;
 }
 
-/// OpenEXR does not notice that the disk was full when its last block was
-/// written. The file is whole if its last row can be read.
-std::string check_last_row(const std::string& path, const ImageSpec& spec) {
-  std::vector<float> row(static_cast<std::size_t>(spec.width) *
-                         static_cast<std::size_t>(spec.nchannels));
-  auto in = ImageInput::open(path);
-  if (in && in->read_scanlines(0, 0, spec.height - 1, spec.height, 0, 0,
-                               spec.nchannels, TypeDesc::FLOAT, row.data())) {
-    return "";
-  }
-  OIIO::geterror();
-  return "the file is cut off: is the disk full?";
-}
-
 /// Reads one layer. Where the pixels stored are not those displayed, there is
 /// black around them.
 std::string read_layer(ImageInput& in, const ExrLayer& layer, Image& image) {
@@ -126,9 +112,7 @@ std::vector<ExrPart> parts_of(ImageInput& in) {
 
 }  // namespace
 
-std::string write_exr(const std::string& path, const RenderResult& result) {
-  std::unique_ptr<ImageOutput> out = ImageOutput::create("exr");
-  if (!out) return reason(OIIO::geterror(), "EXR files are not supported");
+std::string encode_exr(const RenderResult& result, std::string& bytes) {
   const Image& mean = result.radiance;
   const bool both = !result.variance.pixels.empty();
   ImageSpec spec(mean.width, mean.height, both ? 6 : 3, TypeDesc::FLOAT);
@@ -147,12 +131,7 @@ std::string write_exr(const std::string& path, const RenderResult& result) {
     pixels.push_back(mean.pixels[i]);
     if (both) pixels.push_back(result.variance.pixels[i]);
   }
-  if (!out->open(path, spec)) return reason(out->geterror(), "open failed");
-  if (!out->write_image(TypeDesc::FLOAT, pixels.data())) {
-    return reason(out->geterror(), "write failed");
-  }
-  if (!out->close()) return reason(out->geterror(), "close failed");
-  return check_last_row(path, spec);
+  return encode("exr", spec, &pixels[0].x, bytes);
 }
 
 std::string read_exr(const std::string& path, RenderResult& result) {

@@ -62,20 +62,13 @@ std::string read_colors(const std::string& path, std::int64_t most,
 
 }  // namespace
 
-std::string write_png(const std::string& path, const Image& image,
-                      float gamma) {
-  std::unique_ptr<ImageOutput> out = ImageOutput::create("png");
-  if (!out) return reason(OIIO::geterror(), "PNG files are not supported");
+std::string encode_png(const Image& image, float gamma, std::string& bytes) {
   ImageSpec spec(image.width, image.height, 3, TypeDesc::UINT8);
   // The chunk gAMA. An sRGB chunk would claim a curve that was not used.
   spec.attribute("oiio:ColorSpace", "GammaCorrected");
   spec.attribute("oiio:Gamma", gamma);
   spec.attribute("DateTime", date);
-  if (!out->open(path, spec)) return reason(out->geterror(), "open failed");
-  if (!out->write_image(TypeDesc::FLOAT, image.pixels.data())) {
-    return reason(out->geterror(), "write failed");
-  }
-  return out->close() ? "" : reason(out->geterror(), "close failed");
+  return encode("png", spec, &image.pixels[0].x, bytes);
 }
 
 std::string read_png(const std::string& path, Image& image) {

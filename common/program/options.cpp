@@ -206,6 +206,10 @@ std::optional<int> parse_options(int argc, char** argv,
   ToneMapping& mapping = options.tone_mapping;
   add_tone_options(app, steps, gamma, mapping.exposure);
   app.add_flag("-q,--quiet", options.quiet, "Say nothing but errors");
+  app.footer(
+      "Ctrl-C writes what was rendered so far; an old picture is kept until "
+      "each pixel has a sample.\n"
+      "Exit codes: 0 done, 1 could not, 2 wrong usage, 130 interrupted.");
 
   try {
     app.parse(argc, argv);

@@ -1,11 +1,9 @@
 #include "common/program/report.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
-#include "common/image/image_file.hpp"
+#include "common/image/write_file.hpp"
 
 namespace lightwalk {
 
@@ -40,15 +38,7 @@ std::string to_json(const Report& report) {
 }
 
 void write_report(const std::string& path, const Report& report) {
-  const std::string unfinished = unfinished_name(path);
-  std::error_code error;
-  try {
-    write_bytes(unfinished, to_json(report));
-    std::filesystem::rename(unfinished, path);
-  } catch (...) {
-    std::filesystem::remove(unfinished, error);
-    throw;
-  }
+  write_file(path, to_json(report));
 }
 
 }  // namespace lightwalk

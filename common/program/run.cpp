@@ -8,29 +8,36 @@
 #include <new>
 #include <stdexcept>
 
-#include "common/image/image_file.hpp"
 #include "common/program/cost_warning.hpp"
 #include "common/program/instruction_sets.hpp"
 #include "common/program/memory.hpp"
 #include "common/program/options.hpp"
+#include "common/program/output_files.hpp"
 #include "common/program/path_story.hpp"
 #include "common/program/progress_line.hpp"
 #include "common/program/report.hpp"
+#include "common/program/signals.hpp"
 #include "common/program/with_unit.hpp"
+#include "common/scene_file/message_text.hpp"
 #include "common/scene_file/scene_file.hpp"
 
 namespace lightwalk {
 
 namespace {
 
-/// Set by the first Ctrl-C; a second one ends the program at once.
+/// Set by the first Ctrl-C, or another signal that asks the program to end;
+/// a second one of the same kind ends it at once.
 std::atomic<bool> interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 void catch_interrupts() {
-  std::signal(SIGINT, [](int) {
+  catch_ending_signals([](int signal) {
     interrupted = true;
-    std::signal(SIGINT, SIG_DFL);
+#ifdef SIGHUP
+    // A terminal that closes may say so twice.
+    if (signal == SIGHUP) return;
+#endif
+    std::signal(signal, end_by_signal);
   });
 }
 
@@ -53,18 +60,6 @@ RenderSettings settings_for(const Program& program, const Options& options,
         std::to_string(program.most_bounces));
   }
   return settings;
-}
-
-/// Does something with a file; its name is put before what goes wrong.
-template <class Use>
-void with_file(const std::string& path, Use use) {
-  try {
-    use();
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw std::runtime_error(path + " cannot be written: " + error.what());
-  }
 }
 
 /// Does something with a path tracer, and says so of what it throws.
@@ -108,15 +103,6 @@ class Listener final : public RayWatcher {
   std::uint64_t before_ = rays_cast;
 };
 
-void check_files(const Options& options) {
-  for (const std::string& path : options.outputs) {
-    with_file(path, [&] { check_writable(path); });
-  }
-  if (const auto& path = options.report) {
-    with_file(*path, [&] { check_writable(*path); });
-  }
-}
-
 void say_what_was_dropped(const RenderInfo& info) {
   if (!info.first_dropped) return;
   const auto [column, row, sample] = *info.first_dropped;
@@ -132,8 +118,9 @@ void say_what_was_dropped(const RenderInfo& info) {
 void say_what_was_rendered(const Report& report) {
   const RenderInfo& info = report.info;
   for (const std::string& path : report.outputs) {
-    std::printf("%s: %d x %d, %.0f samples per pixel\n", path.c_str(),
-                report.width, report.height, info.samples_per_pixel);
+    std::printf("%s: %d x %d, %.0f samples per pixel\n",
+                escaped(path).c_str(), report.width, report.height,
+                info.samples_per_pixel);
   }
   if (info.samples == 0) return;
   const auto samples = static_cast<double>(info.samples);
@@ -175,7 +162,7 @@ int paint_scene(const Program& program, const Tracing& tracing,
   info.stage = program.name;
   info.scene_sha256 = loaded.sha256;
   info.version = LIGHTWALK_VERSION;
-  const Report report{
+  Report report{
       .scene = options.scene,
       .width = camera.width,
       .height = camera.height,
@@ -187,22 +174,18 @@ int paint_scene(const Program& program, const Tracing& tracing,
           interrupted && info.samples_per_pixel < settings.samples_per_pixel,
       .outputs = options.outputs,
   };
-  for (const std::string& path : options.outputs) {
-    with_file(path, [&] { write_image(path, result, options.tone_mapping); });
-  }
-  if (const auto& path = options.report) {
-    with_file(*path, [&] { write_report(*path, report); });
-  }
+  const bool all_written = write_files(program.name, options, result, report);
   say_what_was_dropped(info);
-  if (!options.quiet) say_what_was_rendered(report);
+  const bool any_written = all_written || !report.outputs.empty();
+  if (any_written && !options.quiet) say_what_was_rendered(report);
   if (report.interrupted) {
     std::fprintf(stderr,
                  "%s: interrupted after %.0f of %d samples per pixel\n",
                  program.name.c_str(), info.samples_per_pixel,
                  settings.samples_per_pixel);
-    return 130;
   }
-  return 0;
+  if (!all_written) return 1;
+  return report.interrupted ? 130 : 0;
 }
 
 int tell_path(const Program& program, const Tracing& tracing,

@@ -22,6 +22,32 @@ inline std::string one_line(std::string_view text) {
   return result;
 }
 
+/// The text with its control characters spelt out, such as \x0a, for names
+/// that people shall find again.
+inline std::string escaped(std::string_view text) {
+  const auto spelt_out = [](unsigned char byte) {
+    constexpr const char* digits = "0123456789abcdef";
+    return std::string("\\x") + digits[byte / 16] + digits[byte % 16];
+  };
+  std::string result;
+  unsigned char before = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool second = before == 0xc2 && byte >= 0x80 && byte < 0xa0;
+    if (second) {
+      result.pop_back();
+      result += spelt_out(before);
+    }
+    if (second || byte < ' ' || byte == 0x7f) {
+      result += spelt_out(byte);
+    } else {
+      result += c;
+    }
+    before = byte;
+  }
+  return result;
+}
+
 /// The text, or its beginning where it is long, never half a character.
 inline std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);

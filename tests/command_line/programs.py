@@ -3,6 +3,7 @@
 import functools
 import pathlib
 import shutil
+import signal
 import tempfile
 import unittest
 
@@ -19,6 +20,16 @@ def sanitized():
     """Whether the programs are sanitizer builds, which reserve terabytes."""
     cache = (BUILD / "CMakeCache.txt").read_text()
     return "LIGHTWALK_SANITIZE:STRING=address" in cache
+
+
+def with_signals(ignored=()):
+    """What a program is to find when it starts, even if the tests run under nohup."""
+
+    def set_them():
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, signal.SIG_IGN if number in ignored else signal.SIG_DFL)
+
+    return {"preexec_fn": set_them}
 
 
 class InFolder(unittest.TestCase):

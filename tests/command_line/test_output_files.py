@@ -1,0 +1,360 @@
+"""Where a picture goes: links, modes, pipes, long names; and when it goes nowhere."""
+
+import json
+import os
+import pathlib
+import pty
+import re
+import resource
+import signal
+import stat
+import subprocess
+import threading
+import time
+import tty
+import unittest
+
+from programs import BUILD, HANG, SCENES, InFolder, read_pfm, run, with_signals
+
+BOX = SCENES / "cornell_box_ceiling_diffuse.toml"
+SMALL = ["--size", "8x8", "--spp", "1"]
+OLD = "the old file"
+
+
+class Outputs(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.out = self.folder / "out.pfm"
+
+    def render(self, *arguments, **options):
+        return run("stage1", BOX, *SMALL, *arguments, folder=self.folder, **options)
+
+    def assert_done(self, result):
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def assert_whole(self, path):
+        self.assertEqual(read_pfm(path)[:2], (8, 8))
+
+    def not_root(self):
+        """Options for a program that may change nothing but what is in the folder."""
+        self.folder.chmod(0o777)
+        return {"user": 65534, "group": 65534, "extra_groups": []} if os.geteuid() == 0 else {}
+
+    def mode(self, path):
+        return stat.S_IMODE(path.stat().st_mode)
+
+
+class WhatIsThere(Outputs):
+    def test_a_link_stays_and_the_file_it_leads_to_is_replaced(self):
+        (self.folder / "deep").mkdir()
+        for target in ["deep/a.pfm", self.folder / "b.pfm", "none_yet.pfm"]:
+            file = self.folder / target
+            if file.name != "none_yet.pfm":
+                file.write_text(OLD)
+            self.out.symlink_to("link")
+            (self.folder / "link").symlink_to(target)
+            self.assert_done(self.render("-o", "out.pfm"))
+            self.assertTrue(self.out.is_symlink() and (self.folder / "link").is_symlink())
+            self.assertFalse(file.is_symlink())
+            self.assert_whole(file)
+            self.out.unlink()
+            (self.folder / "link").unlink()
+        self.assertEqual(self.files(), ["b.pfm", "deep", "none_yet.pfm"])
+
+    def test_a_link_is_read_where_it_is(self):
+        (self.folder / "deep/er").mkdir(parents=True)
+        (self.folder / "deep/a.pfm").symlink_to("er/b.pfm")
+        (self.folder / "deep/er/b.pfm").symlink_to("../../c.pfm")
+        self.assert_done(self.render("-o", "deep/a.pfm"))
+        self.assert_whole(self.folder / "c.pfm")
+        self.assertEqual(self.files(), ["c.pfm", "deep"])
+
+    def test_links_that_lead_nowhere(self):
+        (self.folder / "a.pfm").symlink_to("b.pfm")
+        (self.folder / "b.pfm").symlink_to("a.pfm")
+        (self.folder / "c.pfm").symlink_to("none/c.pfm")
+        result = self.render("-o", "a.pfm")
+        self.assert_one_line(result, "stage1: a.pfm cannot be written: Too many levels of symbolic links")
+        result = self.render("-o", "c.pfm")
+        self.assert_one_line(result, "stage1: c.pfm cannot be written: there is no folder 'none'")
+        self.assertEqual(self.files(), ["a.pfm", "b.pfm", "c.pfm"])
+
+    def test_the_other_name_of_a_hard_link_keeps_the_old_picture(self):
+        """The README says so: to write into the old file would risk both."""
+        self.out.write_text(OLD)
+        os.link(self.out, self.folder / "other.pfm")
+        self.assert_done(self.render("-o", "out.pfm"))
+        self.assert_whole(self.out)
+        self.assertEqual((self.folder / "other.pfm").read_text(), OLD)
+
+    def test_the_mode_is_kept(self):
+        for mode in [0o600, 0o640, 0o666, 0o755]:
+            self.out.write_text(OLD)
+            self.out.chmod(mode)
+            self.assert_done(self.render("-o", "out.pfm", "--report", "a.json"))
+            self.assertEqual(oct(self.mode(self.out)), oct(mode))
+
+    def test_a_new_file_has_the_mode_that_the_umask_leaves(self):
+        for mask, mode in [(0o022, 0o644), (0o027, 0o640), (0o077, 0o600), (0, 0o666)]:
+            self.assert_done(self.render("-o", "out.pfm", "--report", "a.json", umask=mask))
+            for name in ["out.pfm", "a.json"]:
+                self.assertEqual(oct(self.mode(self.folder / name)), oct(mode))
+                (self.folder / name).unlink()
+
+    @unittest.skipUnless(hasattr(os, "geteuid") and os.geteuid() == 0, "needs root")
+    def test_the_owner_is_kept(self):
+        self.out.write_text(OLD)
+        os.chown(self.out, 65534, 65533)
+        self.assert_done(self.render("-o", "out.pfm"))
+        self.assert_whole(self.out)
+        self.assertEqual((self.out.stat().st_uid, self.out.stat().st_gid), (65534, 65533))
+
+    def test_a_file_that_is_read_only_is_not_replaced(self):
+        self.out.write_text(OLD)
+        self.out.chmod(0o444)
+        result = self.render("-o", "out.pfm", **self.not_root())
+        self.assert_one_line(result, "stage1: out.pfm cannot be written: Permission denied")
+        self.assertEqual(self.out.read_text(), OLD)
+        self.assertEqual(self.files(), ["out.pfm"])
+
+    def test_names_of_255_bytes(self):
+        for letter in ["x", "\u00e9"]:
+            size = (255 - len(".pfm")) // len(letter.encode())
+            name = letter * size + ".pfm"
+            name = "x" * (255 - len(name.encode())) + name
+            report = name.removesuffix(".pfm")[1:] + ".json"
+            for _ in range(2):
+                self.assert_done(self.render("-o", name, "--report", report))
+                self.assert_whole(self.folder / name)
+            self.assertEqual(self.files(), sorted([name, report]))
+            for file in [name, report]:
+                (self.folder / file).unlink()
+        result = self.render("-o", "x" * 252 + ".pfm")
+        self.assert_one_line(result, f"stage1: {'x' * 252}.pfm cannot be written: File name too long")
+
+    def test_control_characters_in_a_name_are_spelt_out(self):
+        name = "a\x1b[2J\n\x7f\u009b\u00e9.pfm"
+        said = self.render("-o", name)
+        self.assert_done(said)
+        self.assertTrue(
+            said.stdout.startswith("a\\x1b[2J\\x0a\\x7f\\xc2\\x9b\u00e9.pfm: 8 x 8, 1 samples per pixel\n"),
+            ascii(said.stdout),
+        )
+        self.assert_whole(self.folder / name)
+        (self.folder / name).unlink()
+        (self.folder / name).mkdir()
+        refused = self.render("-o", name)
+        self.assert_one_line(
+            refused, "stage1: a\\x1b[2J\\x0a\\x7f\\xc2\\x9b\u00e9.pfm cannot be written: it is a folder"
+        )
+
+
+class PipesAndDevices(Outputs):
+    def reading(self, path, size=-1):
+        """Reads the pipe in another thread; the list that is returned gets the bytes."""
+        data = []
+
+        def read():
+            with open(path, "rb", buffering=0) as pipe:
+                data.append(pipe.read(size) if size > 0 else pipe.readall())
+
+        reader = threading.Thread(target=read, daemon=True)
+        reader.start()
+        self.addCleanup(reader.join, 10)
+        return reader, data
+
+    def test_a_pipe_gets_the_picture(self):
+        self.assert_done(self.render("-o", "plain.pfm"))
+        os.mkfifo(self.out)
+        reader, data = self.reading(self.out)
+        self.assert_done(self.render("-o", "out.pfm", timeout=HANG))
+        reader.join(10)
+        self.assertEqual(data, [(self.folder / "plain.pfm").read_bytes()])
+        self.assertTrue(self.out.is_fifo())
+        self.assertEqual(self.files(), ["out.pfm", "plain.pfm"])
+
+    def test_a_reader_who_goes_away_is_an_error(self):
+        os.mkfifo(self.out)
+        self.reading(self.out, 1)
+        result = self.render("-o", "out.pfm", "-o", "b.pfm", "--size", "256x256", "--quiet")
+        self.assert_one_line(result, "stage1: out.pfm cannot be written: Broken pipe")
+        self.assertEqual(read_pfm(self.folder / "b.pfm")[:2], (256, 256))
+
+    def test_the_standard_output(self):
+        self.assert_done(self.render("-o", "plain.pfm"))
+        expected = (self.folder / "plain.pfm").read_bytes()
+        self.out.symlink_to("/dev/stdout")
+        command = [BUILD / "stage1", BOX, *SMALL, "-o", "out.pfm", "--quiet"]
+        done = subprocess.run(command, cwd=self.folder, capture_output=True)
+        self.assertEqual((done.returncode, done.stderr, done.stdout), (0, b"", expected))
+        # Into a file behind what is there, as everything on stdout.
+        with open(self.folder / "all", "wb", buffering=0) as file:
+            file.write(b"first\n")
+            subprocess.run(command, cwd=self.folder, stdout=file, check=True)
+            file.write(b"last\n")
+        self.assertEqual((self.folder / "all").read_bytes(), b"first\n" + expected + b"last\n")
+        self.assertEqual(self.files(), ["all", "out.pfm", "plain.pfm"])
+
+    def test_a_device_gets_the_picture(self):
+        """A terminal of the test's own: where /dev/null is, a broken program run by root could put a file."""
+        self.assert_done(self.render("-o", "plain.pfm"))
+        expected = (self.folder / "plain.pfm").read_bytes()
+        ours, theirs = pty.openpty()
+        tty.setraw(theirs)
+        self.out.symlink_to(os.ttyname(theirs))
+        self.assert_done(self.render("-o", "out.pfm"))
+        data = b""
+        while len(data) < len(expected):
+            data += os.read(ours, 4096)
+        self.assertEqual(data, expected)
+        self.assertEqual(self.files(), ["out.pfm", "plain.pfm"])
+        os.close(theirs)
+        os.close(ours)
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs Linux")
+    def test_a_full_device_is_an_error(self):
+        """An open file, and not run by root: a broken program shall not replace the device."""
+        full = os.open("/dev/full", os.O_WRONLY)
+        self.addCleanup(os.close, full)
+        self.out.symlink_to(f"/dev/fd/{full}")
+        result = self.render("-o", "out.pfm", pass_fds=[full], **self.not_root())
+        self.assert_one_line(result, "stage1: out.pfm cannot be written: No space left on device")
+
+
+class SeveralFiles(Outputs):
+    def test_the_others_are_written_where_one_fails(self):
+        def let_no_file_grow():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
+
+        self.out.write_text(OLD)
+        result = self.render(
+            *["-o", "out.pfm", "-o", "b.png", "--report", "c.json", "--size", "64x64"],
+            preexec_fn=let_no_file_grow,
+            restore_signals=False,
+        )
+        self.assertEqual(result.stderr, "stage1: out.pfm cannot be written: File too large\n")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(self.out.read_text(), OLD)
+        self.assertEqual((self.folder / "b.png").read_bytes()[-8:-4], b"IEND")
+        self.assertEqual(json.loads((self.folder / "c.json").read_text())["outputs"], ["b.png"])
+        self.assertTrue(result.stdout.startswith("b.png: 64 x 64"), result.stdout)
+        self.assertEqual(self.files(), ["b.png", "c.json", "out.pfm"])
+
+
+class Interrupts(Outputs):
+    """A program of 8 x 8 pixels that waits at its nth sample until a signal was sent."""
+
+    FIRST_PASS, LATER = 20, 64 + 20
+
+    def interrupted(self, at, *signals, spp=1000, ignored=(), outputs=("out.pfm",)):
+        arguments = ["--spp", str(spp), "--size", "8x8", "--threads", "1", "--report", "a.json"]
+        for output in outputs:
+            arguments += ["-o", output]
+        process = subprocess.Popen(
+            [BUILD / "pausing", BOX, *arguments],
+            cwd=self.folder,
+            env={**os.environ, "PAUSE_AT": str(at)},
+            **with_signals(ignored),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        self.assertEqual(process.stdout.readline(), "paused\n")
+        for number in signals:
+            process.send_signal(number)
+            self.wait_until_delivered(process, number)
+        stdout, stderr = process.communicate("go on\n", timeout=HANG)
+        return subprocess.CompletedProcess(process.args, process.returncode, stdout, stderr)
+
+    def wait_until_delivered(self, process, number):
+        status = pathlib.Path(f"/proc/{process.pid}/status")
+        end = time.monotonic() + HANG
+        while status.exists() and time.monotonic() < end:
+            pending = re.findall(r"(?:SigPnd|ShdPnd):\s*(\w+)", status.read_text())
+            if not any(int(mask, 16) >> (number - 1) & 1 for mask in pending):
+                return
+            time.sleep(0.001)
+
+    def test_in_the_first_pass_the_old_picture_is_kept(self):
+        for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]:
+            self.out.write_text(OLD)
+            result = self.interrupted(self.FIRST_PASS, number)
+            self.assertEqual(
+                result.stderr,
+                "pausing: out.pfm is kept as it was: the first pass over the picture was not finished\n"
+                "pausing: interrupted after 0 of 1000 samples per pixel\n",
+            )
+            self.assertEqual(result.returncode, 130)
+            self.assertEqual(self.out.read_text(), OLD)
+            self.assertEqual(self.files(), ["a.json", "out.pfm"])
+            self.assertNotIn("out.pfm", result.stdout)
+            report = json.loads((self.folder / "a.json").read_text())
+            self.assertEqual((report["interrupted"], report["outputs"]), (True, []))
+            self.assertEqual(report["samples_per_pixel"], 0)
+
+    def test_in_the_first_pass_a_new_picture_is_written_as_far_as_it_goes(self):
+        """As the old one cannot be lost; an empty file is none."""
+        self.out.write_text("")
+        (self.folder / "old.exr").write_text(OLD)
+        result = self.interrupted(self.FIRST_PASS, signal.SIGINT, outputs=["old.exr", "out.pfm", "new.pfm"])
+        self.assertEqual(
+            result.stderr,
+            "pausing: old.exr is kept as it was: the first pass over the picture was not finished\n"
+            "pausing: parts of out.pfm are black: the first pass over the picture was not finished\n"
+            "pausing: parts of new.pfm are black: the first pass over the picture was not finished\n"
+            "pausing: interrupted after 0 of 1000 samples per pixel\n",
+        )
+        self.assertEqual(result.returncode, 130)
+        self.assertEqual((self.folder / "old.exr").read_text(), OLD)
+        for name in ["out.pfm", "new.pfm"]:
+            *_, pixels = read_pfm(self.folder / name)
+            black = pixels.count((0, 0, 0))
+            self.assertTrue(0 < black < 64, f"{black} of 64 pixels are black")
+
+    def test_later_the_picture_is_replaced_by_what_there_is(self):
+        for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]:
+            self.out.write_text(OLD)
+            result = self.interrupted(self.LATER, number)
+            self.assertEqual(result.stderr, "pausing: interrupted after 1 of 1000 samples per pixel\n")
+            self.assertEqual(result.returncode, 130)
+            *_, pixels = read_pfm(self.out)
+            self.assertNotIn((0, 0, 0), pixels)
+            self.assertEqual(self.files(), ["a.json", "out.pfm"])
+            self.assertTrue(json.loads((self.folder / "a.json").read_text())["interrupted"])
+
+    def test_nohup(self):
+        """What is ignored when the program starts stays ignored."""
+        for number in [signal.SIGHUP, signal.SIGTERM]:
+            result = self.interrupted(self.FIRST_PASS, number, spp=2, ignored=[number])
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assert_whole(self.out)
+
+    @unittest.skipUnless(os.path.isdir("/proc/self"), "needs Linux")
+    def test_a_second_one_ends_the_program_at_once(self):
+        for number in [signal.SIGINT, signal.SIGTERM]:
+            self.out.write_text(OLD)
+            result = self.interrupted(self.LATER, number, number)
+            self.assertEqual((result.returncode, result.stderr), (-number, ""))
+            self.assertEqual(self.out.read_text(), OLD)
+            self.assertEqual(self.files(), ["out.pfm"])
+
+    def test_a_terminal_that_closes_may_say_so_twice(self):
+        for signals in [
+            [signal.SIGHUP] * 2,
+            [signal.SIGTERM, signal.SIGHUP],
+            [signal.SIGHUP, signal.SIGTERM],
+        ]:
+            self.out.write_text(OLD)
+            result = self.interrupted(self.LATER, *signals)
+            self.assertEqual(result.returncode, 130, result.stderr)
+            self.assert_whole(self.out)
+
+
+del InFolder, Outputs  # unittest would run the tests that it imports
+
+if __name__ == "__main__":
+    unittest.main()
