@@ -66,16 +66,27 @@ void check_kept_at_a_counted_lamp() {
       gathered_from_the_light() + gathering_kd * 4.0 / 4.0);
 }
 
-/// All that the floor sees is black, and the throughput with it.
+/// All that the floor sees is black, or has no color in common with it, and
+/// the throughput goes black there.
 template <class PathTracer>
 void check_kept_when_all_goes_black() {
+  const Scene under_black =
+      scene_text(gathering_floor("") + gathering_light() +
+                 text::plane("0, -1, 0", "3", "black"));
+  const Scene red_under_green = scene_text(
+      "[materials]\nred = { kd = [0.5, 0, 0] }\n"
+      "green = { kd = [0, 0.9, 0] }\n" +
+      text::plane("0, 1, 0", "0", "red") +
+      text::plane("0, -1, 0", "3", "green") + gathering_light());
+  const DoubleVec3 gathered = gathered_from_the_light();
   for (const int max_bounces : {1, 2, 5}) {
-    check_radiance<PathTracer>(
-        "a point light under a black ceiling",
-        scene_text(gathering_floor("") + gathering_light() +
-                   text::plane("0, -1, 0", "3", "black")),
-        at_gathering_floor, with_bounces(max_bounces),
-        gathered_from_the_light());
+    check_radiance<PathTracer>("a point light under a black ceiling",
+                               under_black, at_gathering_floor,
+                               with_bounces(max_bounces), gathered);
+    check_radiance<PathTracer>("a red floor under a green ceiling",
+                               red_under_green, at_gathering_floor,
+                               with_bounces(max_bounces),
+                               gathered * DoubleVec3(1, 0, 0));
   }
 }
 
