@@ -6,6 +6,7 @@
 #include "support/bounce_bounds.hpp"
 #include "support/bright_and_dim.hpp"
 #include "support/covered_sky.hpp"
+#include "support/lamps_and_glass.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
@@ -27,6 +28,10 @@ TEST_CASE("bright samples are not clamped, and dim ones not cut off") {
 
 TEST_CASE("paths that seem to be worth little are followed to their end") {
   check_dark_floor_under_a_bright_sky<PathTracer>();
+}
+
+TEST_CASE("the back of an emitter lights nothing") {
+  check_back_of_a_lamp_is_black<PathTracer>();
 }
 
 TEST_SUITE_END();

@@ -7,6 +7,7 @@
 #include "support/bright_and_dim.hpp"
 #include "support/covered_sky.hpp"
 #include "support/gathered_light.hpp"
+#include "support/lamps_and_glass.hpp"
 #include "support/unlike_lights.hpp"
 
 using namespace lightwalk;
@@ -54,6 +55,14 @@ TEST_CASE("bright samples are not clamped, and dim ones not cut off") {
 
 TEST_CASE("paths that seem to be worth little are followed to their end") {
   check_dark_floor_under_a_bright_sky<PathTracer>();
+}
+
+TEST_CASE("the camera sees a lamp from the front, and black behind it") {
+  check_lamp_as_the_camera_sees_it<PathTracer>();
+}
+
+TEST_CASE("the back of an emitter lights nothing") {
+  check_back_of_a_lamp_is_black<PathTracer>();
 }
 
 TEST_SUITE_END();
