@@ -44,9 +44,7 @@ class MaxBounces(programs.InFolder):
         scene = SCENE + (f"[render]\nmax_bounces = {bounces}\n" if said_in_scene else "")
         (self.folder / "scene.toml").write_text(scene)
         options = [] if said_in_scene else ["--max-bounces", bounces]
-        done = programs.run(
-            stage, "scene.toml", "-o", "out.pfm", "--spp", 64, *options, folder=self.folder
-        )
+        done = programs.run(stage, "scene.toml", "-o", "out.pfm", "--spp", 64, *options, folder=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         reds = [pixel[0] for pixel in programs.read_pfm(self.folder / "out.pfm")[2]]
         mean = statistics.fmean(reds)
