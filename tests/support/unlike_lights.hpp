@@ -28,7 +28,7 @@ inline std::array<UnlikeLight, 6> unlike_lights() {
        DoubleVec3(30, 10, 0) * 2.0 / 27.0 / pi_},
       {"another point light", text::point_light("1, 1, -1", "[0, 5, 9]"),
        DoubleVec3(0, 5, 9) / std::pow(3.0, 1.5) / pi_},
-      {"a ball", text::sphere("6, 3, 2", "1", "red"),
+      {"a ball", text::sphere("6, 3, -2", "1", "red"),
        DoubleVec3(9, 1, 0) * 3.0 / 7.0 / 49.0},
       {"another ball", text::sphere("-4, 4, -7", "3", "blue"),
        DoubleVec3(0, 1, 4) * 4.0 / 9.0 * 9.0 / 81.0},
