@@ -116,7 +116,8 @@ class GoodScenes(InFolder):
     def test_a_scene_of_many_lines(self):
         sphere = GOOD.split("\n\n")[4]
         self.assertIn("sphere", sphere)
-        self.accept(GOOD + 2000 * ("\n" + sphere + "\n"))
+        spheres = [sphere.replace("0.3", f"0.{1000 + i}") for i in range(2000)]
+        self.accept(GOOD + "\n" + "\n\n".join(spheres) + "\n")
 
 
 if __name__ == "__main__":
