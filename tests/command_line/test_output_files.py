@@ -273,7 +273,7 @@ class Interrupts(Outputs):
     def wait_until_delivered(self, process, number):
         status = pathlib.Path(f"/proc/{process.pid}/status")
         end = time.monotonic() + HANG
-        while status.exists() and time.monotonic() < end:
+        while status.exists() and process.poll() is None and time.monotonic() < end:
             pending = re.findall(r"(?:SigPnd|ShdPnd):\s*(\w+)", status.read_text())
             if not any(int(mask, 16) >> (number - 1) & 1 for mask in pending):
                 return
