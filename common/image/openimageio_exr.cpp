@@ -153,14 +153,15 @@ std::string write_exr(const std::string& path, const RenderResult& result) {
 }
 
 std::string read_exr(const std::string& path, RenderResult& result) {
-  auto in = ImageInput::open(path);
-  if (!in) return reason(OIIO::geterror(), "it is not an image");
+  std::string error;
+  const auto in = open_as("exr", path, ImageSpec(), error);
+  if (!in) return error;
   const std::vector<ExrPart> parts = parts_of(*in);
   const ExrChoice choice = choose_picture(parts);
   if (!choice.error.empty()) return choice.error;
   result.note = choice.note;
   result.info = description(in->spec(choice.picture.part));
-  std::string error = read_layer(*in, choice.picture, result.radiance);
+  error = read_layer(*in, choice.picture, result.radiance);
   for (const ExrLayer& layer : color_layers(parts)) {
     if (!error.empty() || layer.name != "variance") continue;
     error = read_layer(*in, layer, result.variance);

@@ -29,10 +29,10 @@ HERE = ROOT / "tests/fuzz"
 # what they think of their input are not listened to.
 HARNESSES = {
     "compare": [600],
-    "exr": [4000, "-close_fd_mask=3"],
+    "exr": [4000, "-close_fd_mask=3", "-detect_leaks=0"],
     "options": [200, "-close_fd_mask=3", f"-dict={HERE}/options.dict"],
     "pfm": [300],
-    "picture": [4000, "-close_fd_mask=3"],
+    "picture": [4000, "-close_fd_mask=3", "-detect_leaks=0"],
     "ppm": [300],
     "scene": [4000, f"-dict={HERE}/toml.dict"],
     "shapes": [200],
