@@ -3,7 +3,9 @@
 // it, in one part: most readers know but one part.
 
 #include <algorithm>
+#include <fstream>
 
+#include "common/image/exr_channel_types.hpp"
 #include "common/image/exr_layers.hpp"
 #include "common/image/openimageio.hpp"
 #include "common/image/orientation.hpp"
@@ -108,6 +110,17 @@ std::string read_layer(ImageInput& in, const ExrLayer& layer, Image& image) {
   return "";
 }
 
+/// More bytes than the headers of a file are.
+constexpr std::size_t most_header_bytes = std::size_t{1} << 20;
+
+std::string headers_of(const std::string& path) {
+  std::string bytes(most_header_bytes, ' ');
+  std::ifstream file(path, std::ios::binary);
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
 std::vector<ExrPart> parts_of(ImageInput& in) {
   std::vector<ExrPart> parts;
   for (int i = 0;; ++i) {
@@ -153,7 +166,8 @@ std::string write_exr(const std::string& path, const RenderResult& result) {
 }
 
 std::string read_exr(const std::string& path, RenderResult& result) {
-  std::string error;
+  std::string error = check_channel_types(headers_of(path));
+  if (!error.empty()) return error;
   const auto in = open_as("exr", path, ImageSpec(), error);
   if (!in) return error;
   const std::vector<ExrPart> parts = parts_of(*in);

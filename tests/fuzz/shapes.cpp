@@ -73,9 +73,16 @@ void check(const Shape& shape, Numbers& numbers) {
            "nothing is in front of the first hit");
     expect(hit->shape_index == 0 && hit->material == &material,
            "a hit is of the shape");
-    const float size = size_of(shape) + max_abs_component(hit->position);
+    const Vec3 there = ray.origin + hit->distance * ray.direction;
+    const float size = size_of(shape) + max_abs_component(hit->position) +
+                       max_abs_component(there);
     expect(off(shape, hit->position) <= 0x1p-22 * static_cast<double>(size),
-           "a hit's place is on the shape", text(hit->position));
+           "a hit's place is on the shape",
+           text(hit->position) + " is off by " +
+               std::to_string(off(shape, hit->position) / 0x1p-22 /
+                              static_cast<double>(size)) +
+               " roundings, from " + text(ray.origin) + " after " +
+               std::to_string(hit->distance));
     constexpr bool is_sphere = std::is_same_v<Shape, Sphere>;
     check_leaving(geometry, *hit, numbers.direction(), is_sphere);
     check_leaving(geometry, *hit, -ray.direction, is_sphere);
