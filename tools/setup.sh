@@ -38,8 +38,8 @@ elif [ "${1:-}" = fuzz ]; then
     /usr/local/opt/llvm/bin/clang++; do
     if has_libfuzzer "$clang"; then exit 0; fi
   done
-  if [ -n "${FUZZ_CXX:-}" ] ||
-    ! command -v apt-get brew >/dev/null; then
+  if [ -n "${FUZZ_CXX:-}" ] || ! { command -v apt-get || command -v brew; } \
+    >/dev/null; then
     echo "setup: make fuzz needs Clang with libFuzzer and the sanitizers;" \
       "FUZZ_CXX=/path/to/clang++ names one" >&2
     exit 1

@@ -34,7 +34,8 @@ inline std::string check_channel_types(std::string_view headers) {
          end = list.find('\0')) {
       const std::uint32_t type = number_at(list, end + 1, 4, false);
       if (type >= types) {
-        return "its channel " + std::string(list.substr(0, 40).substr(0, end)) +
+        return "its channel " +
+               std::string(list.substr(0, 40).substr(0, end)) +
                " is of type " + std::to_string(type) +
                ": 0, 1 and 2 are known";
       }

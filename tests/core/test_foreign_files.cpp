@@ -25,13 +25,13 @@ TEST_CASE("an EXR file whose channels are of no known type is refused") {
   REQUIRE(list != std::string::npos);
   for (const std::string channel : {"B", "R", "variance.G"}) {
     CAPTURE(channel);
-    const std::size_t at = good.find('\0' + channel + '\0', list) + 2 +
-                           channel.size();
+    const std::size_t at =
+        good.find('\0' + channel + '\0', list) + 2 + channel.size();
     std::string bytes = good;
     bytes.replace(at, 4, "\3\0\0\0"s);
     store(path, bytes);
-    CHECK(read_complaint(path) == "its channel " + channel +
-                                      " is of type 3: 0, 1 and 2 are known");
+    CHECK(read_complaint(path) ==
+          "its channel " + channel + " is of type 3: 0, 1 and 2 are known");
   }
 }
 

@@ -23,8 +23,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   check_pixels(radiance.width, radiance.height, radiance.pixels.size());
   if (variance.pixels.empty()) return 0;
   check_pixels(variance.width, variance.height, variance.pixels.size());
-  expect(variance.width == radiance.width &&
-             variance.height == radiance.height,
-         "the variance is as large as the picture");
+  expect(
+      variance.width == radiance.width && variance.height == radiance.height,
+      "the variance is as large as the picture");
   return 0;
 }

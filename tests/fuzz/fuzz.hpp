@@ -23,7 +23,8 @@ namespace lightwalk::fuzz {
 inline std::FILE* const report = fdopen(dup(STDERR_FILENO), "w");
 
 /// Ends the program with a finding unless `what` holds.
-inline void expect(bool holds, const char* what, const std::string& but = "") {
+inline void expect(bool holds, const char* what,
+                   const std::string& but = "") {
   if (holds) return;
   std::fprintf(report, "fuzz: it does not hold that %s%s%s\n", what,
                but.empty() ? "" : ": ", but.c_str());

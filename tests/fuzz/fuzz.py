@@ -117,13 +117,12 @@ def run(name, seconds, temporary):
     line = f"{name:8} {executions:11,} executions {each_second:8,}/s  coverage {covered:6,}"
     if done.returncode == 0:
         return line + "  nothing found", None
-    why = re.search(r"fuzz: .*|runtime error: .*|SUMMARY: .*|ERROR: .*", text)
+    why = re.search(r"fuzz: .*|runtime error: .*|ERROR: \w+: .*", text)
     finding = why[0] if why else f"exit code {done.returncode}"
     saved = re.findall(r"Test unit written to (\S+)", text)
-    again = [program, *options, *saved[-1:]]
+    again = [os.path.relpath(program), *options, *map(os.path.relpath, saved[-1:])]
     return f"{line}  FOUND: {finding}", (
-        f"see it again:  {shlex.join(os.path.relpath(word) if isinstance(word, Path) else word for word in again)}"
-        f"\n  what it said:  {os.path.relpath(log)}"
+        f"see it again:  {shlex.join(again)}\n  what it said:  {os.path.relpath(log)}"
     )
 
 

@@ -28,7 +28,8 @@ class Numbers {
       case 0:
         return bytes_.ConsumeIntegral<std::int8_t>();
       case 1:
-        return 0.25f * static_cast<float>(bytes_.ConsumeIntegral<std::int8_t>());
+        return 0.25f *
+               static_cast<float>(bytes_.ConsumeIntegral<std::int8_t>());
       default:
         return 0x1p-8f *
                static_cast<float>(bytes_.ConsumeIntegral<std::int16_t>());
@@ -76,11 +77,11 @@ inline void check_hit(const Ray& ray, const Hit& hit) {
          "a hit's distance is above 0 and finite",
          std::to_string(hit.distance));
   expect(is_finite(hit.position), "a hit has a place", text(hit.position));
-  expect(std::abs(length(hit.normal) - 1) < 1e-5f, "a normal is a unit vector",
-         text(hit.normal));
+  expect(std::abs(length(hit.normal) - 1) < 1e-5f,
+         "a normal is a unit vector", text(hit.normal));
   const Vec3 there = ray.origin + hit.distance * ray.direction;
-  const float size = std::max(max_abs_component(ray.origin),
-                              max_abs_component(there));
+  const float size =
+      std::max(max_abs_component(ray.origin), max_abs_component(there));
   expect(length(hit.position - there) <= 1e-4f * (size + hit.distance),
          "a hit's place is on the ray", text(hit.position));
 }

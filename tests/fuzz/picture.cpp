@@ -24,8 +24,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const LimitedMemory limited;
   Texture texture;
   std::string error = lightwalk_image_codecs()->read_texture(path, texture);
-  if (error.empty()) check_pixels(texture.width, texture.height,
-                                  texture.texels.size());
+  if (error.empty())
+    check_pixels(texture.width, texture.height, texture.texels.size());
   expect(error.empty() || !file.error.empty() || !bytes.empty(),
          "an empty file is refused");
   expect(!error.empty() || file.error.empty(),

@@ -27,9 +27,9 @@ struct Folder {
     namespace fs = std::filesystem;
     fs::create_directories(folder / "inside/textures");
     for (const char* name : {"globe", "marble"}) {
-      fs::copy_file(PICTURES "/corners.png", folder / ("inside/textures/" +
-                                                       std::string(name) +
-                                                       ".png"));
+      fs::copy_file(
+          PICTURES "/corners.png",
+          folder / ("inside/textures/" + std::string(name) + ".png"));
     }
     fs::copy_file(PICTURES "/rgba.png", folder / "outside.png");
   }
@@ -80,10 +80,10 @@ void send_rays(const LoadedScene& loaded) {
   const stage5::PathTracer tracer(scene, settings);
   for (std::uint32_t i = 0; i < 4; ++i) {
     Random random(1, 0, i);
-    const Ray ray = scene.camera.ray(
-        static_cast<int>(i) * (scene.camera.width - 1) / 3,
-        static_cast<int>(i) * (scene.camera.height - 1) / 3,
-        random.uniform_2d());
+    const Ray ray =
+        scene.camera.ray(static_cast<int>(i) * (scene.camera.width - 1) / 3,
+                         static_cast<int>(i) * (scene.camera.height - 1) / 3,
+                         random.uniform_2d());
     if (const auto hit = scene.nearest_hit(ray)) {
       expect(hit->distance > 0, "a hit lies ahead");
       expect(is_finite(hit->position), "a hit has a place",
