@@ -15,7 +15,8 @@ scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers mistakes goldens \
-  signatures diff null-test bench-compare setup-bench format clean $(stages) $(addprefix test-,$(stages))
+  signatures diff null-test bench-compare setup-bench setup-fuzz fuzz format \
+  clean $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
 # Where the Python programs look for what was built.
@@ -39,6 +40,7 @@ help:
 	@echo "make signatures    remake what failing goldens are compared with"
 	@echo "make null-test     how often do the goldens reject a right program?"
 	@echo "make mistakes      put known mistakes into the stages: what do the tests catch?"
+	@echo "make fuzz          feed the readers with what nobody would write (SECONDS=60)"
 	@echo "make bench         measure what everything costs (BASE=old.json compares)"
 	@echo "make bench-peers   time stage 4 and Mitsuba 3 side by side"
 	@echo "make book          weave the book: $(BUILD)/book/index.html"
@@ -95,6 +97,29 @@ null-test: build
 mistakes: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS)
 	@python3 -m tests.mistakes.mistakes -j $(JOBS) $(MISTAKES)
+
+# Feeds readers, geometry and comparison with what nobody would write, for
+# SECONDS in all; HARNESS names some of tests/fuzz/. Built by Clang, in a
+# folder of its own; FUZZ_CXX names another one.
+SECONDS ?= 60
+fuzz_cxx = $(or $(FUZZ_CXX),$(firstword $(wildcard $(addsuffix \
+  /opt/llvm/bin/clang++,/opt/homebrew /usr/local)) clang++))
+
+setup-fuzz: setup
+	@tools/setup.sh fuzz
+
+$(BUILD)/fuzz/CMakeCache.txt: | setup-fuzz
+	@mkdir -p $(@D)
+	@cmake -S . -B $(@D) $(if $(shell command -v ninja),-G Ninja) \
+	  -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=$(fuzz_cxx) \
+	  -DLIGHTWALK_SANITIZE=address,undefined -DLIGHTWALK_TESTS=OFF \
+	  -DLIGHTWALK_FUZZ=ON $(CMAKE_ARGS) > $(@D)/configure.log 2>&1 \
+	  || { cat $(@D)/configure.log; rm -f $@; exit 1; }
+
+fuzz: setup-fuzz $(BUILD)/fuzz/CMakeCache.txt
+	@cmake --build $(BUILD)/fuzz -j $(JOBS) --target harnesses > $(BUILD)/fuzz/build.log 2>&1 \
+	  || { cat $(BUILD)/fuzz/build.log; exit 1; }
+	@python3 -m tests.fuzz.fuzz -j $(JOBS) --seconds "$(SECONDS)" $(HARNESS)
 
 # What the known mistakes look like, so that a failing golden can be told which
 # of them it resembles: minutes.

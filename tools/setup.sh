@@ -8,7 +8,14 @@
 #   setup.sh site    what the book needs besides
 #   setup.sh slides  what the slides and the browser tests need besides
 #   setup.sh bench   what comparing benchmarks needs besides
+#   setup.sh fuzz    what `make fuzz` needs besides
 set -eu
+
+# has_libfuzzer COMPILER: whether it can make programs for `make fuzz`.
+has_libfuzzer() {
+  echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }' |
+    "$1" -fsanitize=fuzzer,address -x c++ - -o /dev/null 2>/dev/null
+}
 
 debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
   openimageio-tools libcli11-dev libtomlplusplus-dev doctest-dev
@@ -25,6 +32,20 @@ if [ "${1:-}" = site ]; then
 elif [ "${1:-}" = bench ]; then
   debian_packages="python3-venv libbenchmark-tools"
   brew_packages="google-benchmark python"
+elif [ "${1:-}" = fuzz ]; then
+  # Any Clang that has libFuzzer will do, wherever it comes from.
+  for clang in "${FUZZ_CXX:-clang++}" /opt/homebrew/opt/llvm/bin/clang++ \
+    /usr/local/opt/llvm/bin/clang++; do
+    if has_libfuzzer "$clang"; then exit 0; fi
+  done
+  if [ -n "${FUZZ_CXX:-}" ] || ! { command -v apt-get || command -v brew; } \
+    >/dev/null; then
+    echo "setup: make fuzz needs Clang with libFuzzer and the sanitizers;" \
+      "FUZZ_CXX=/path/to/clang++ names one" >&2
+    exit 1
+  fi
+  debian_packages="clang libclang-rt-dev"
+  brew_packages=llvm
 elif [ "${1:-}" = slides ]; then
   # Any Chromium or Chrome will do, wherever it comes from.
   for browser in chromium google-chrome chromium-browser; do

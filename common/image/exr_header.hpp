@@ -67,7 +67,10 @@ class ExrHeader {
       if (name == "tiles") tile.height = size_number();
       if (name == "type") deep = text().starts_with("deep");
       if (name == "compression") compression = file_.get();
-      if (name == "channels") pixel_bytes = bytes_of_a_pixel();
+      if (name == "channels") {
+        std::string error = read_channels(pixel_bytes);
+        if (!error.empty()) return error;
+      }
       file_.seekg(begin + std::istream::off_type(bytes));
     }
     // Cut off, which the library finds, too; or not an image that is read.
@@ -139,20 +142,26 @@ class ExrHeader {
     return {right - left + 1, bottom - top + 1};
   }
 
-  /// Channels are a name, a type (1 is the half), 4 bytes of no interest, and
-  /// of how many columns and rows one is stored.
-  double bytes_of_a_pixel() {
-    double sum = 0;
-    while (file_ && !text().empty()) {
-      const double bytes = number() == 1 ? 2 : 4;
+  /// Channels are a name, a type (0 whole numbers, 1 halves, 2 floats), 4
+  /// bytes of no interest, and of how many columns and rows one is stored.
+  /// For another type the image library would end the program.
+  std::string read_channels(double& pixel_bytes) {
+    pixel_bytes = 0;
+    for (;;) {
+      const std::string name = text();
+      const std::uint32_t type = unsigned_number();
+      if (!file_ || name.empty()) return "";
+      if (type > 2) {
+        return "its channel '" + shown(name) + "' is of type " +
+               std::to_string(type) + ": 0, 1 and 2 are known";
+      }
       number();
       const double columns =
           static_cast<double>(std::max<std::int64_t>(number(), 1));
       const double rows =
           static_cast<double>(std::max<std::int64_t>(number(), 1));
-      sum += bytes / (columns * rows);
+      pixel_bytes += (type == 1 ? 2 : 4) / (columns * rows);
     }
-    return sum;
   }
 
   std::istream& file_;

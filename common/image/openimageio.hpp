@@ -29,6 +29,24 @@ inline std::string reason(const std::string& error, const char* otherwise) {
 std::string encode(const std::string& format, const ImageSpec& spec,
                    const float* pixels, std::string& bytes);
 
+/// Opens a file as this format and no other; null and the reason in `error`
+/// where it is not. ImageInput::open would hand a file that is broken to each
+/// of OpenImageIO's readers in turn, those of films and of medicine too.
+inline std::unique_ptr<ImageInput> open_as(const char* format,
+                                           const std::string& path,
+                                           const ImageSpec& config,
+                                           std::string& error) {
+  auto in = ImageInput::create(format);
+  ImageSpec spec;
+  if (!in) {
+    error = reason(OIIO::geterror(), "its format is not supported");
+  } else if (!in->open(path, spec, config)) {
+    error = reason(in->geterror(), "it is not an image");
+    in = nullptr;
+  }
+  return in;
+}
+
 // Each returns what went wrong, or an empty text: see ImageCodecs.
 std::string encode_exr(const RenderResult& result, std::string& bytes);
 std::string read_exr(const std::string& path, RenderResult& result);

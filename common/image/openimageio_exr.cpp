@@ -136,17 +136,17 @@ std::string encode_exr(const RenderResult& result, std::string& bytes) {
 
 std::string read_exr(const std::string& path, RenderResult& result) {
   std::ifstream file(path, std::ios::binary);
-  const std::string claim =
+  std::string error =
       ExrHeader(file, std::filesystem::file_size(path)).check();
-  if (!claim.empty()) return claim;
-  auto in = ImageInput::open(path);
-  if (!in) return reason(OIIO::geterror(), "it is not an image");
+  if (!error.empty()) return error;
+  const auto in = open_as("exr", path, ImageSpec(), error);
+  if (!in) return error;
   const std::vector<ExrPart> parts = parts_of(*in);
   const ExrChoice choice = choose_picture(parts);
   if (!choice.error.empty()) return choice.error;
   result.note = choice.note;
   result.info = description(in->spec(choice.picture.part));
-  std::string error = read_layer(*in, choice.picture, result.radiance);
+  error = read_layer(*in, choice.picture, result.radiance);
   for (const ExrLayer& layer : color_layers(parts)) {
     if (!error.empty() || layer.name != "variance") continue;
     error = read_layer(*in, layer, result.variance);

@@ -34,13 +34,13 @@ std::string read_colors(const std::string& path, std::int64_t most,
   // Else each color is multiplied by its alpha.
   ImageSpec as_stored;
   as_stored.attribute("oiio:UnassociatedAlpha", 1);
-  auto in = ImageInput::open(path, &as_stored);
-  if (!in) return reason(OIIO::geterror(), "it is not an image");
+  std::string error;
+  const auto in =
+      open_as(file.is_jpeg ? "jpeg" : "png", path, as_stored, error);
+  if (!in) return error;
   const ImageSpec spec = in->spec(0);
-  if (std::string error = check_size(spec.width, spec.height, most);
-      !error.empty()) {
-    return error;
-  }
+  error = check_size(spec.width, spec.height, most);
+  if (!error.empty()) return error;
   using Number = std::decay_t<decltype(pixels[0][0])>;
   const std::size_t channels = spec.nchannels >= 3 ? 3 : 1;
   width = spec.width;

@@ -16,10 +16,12 @@
 
 namespace lightwalk {
 
-/// What is wrong with the file, or an empty text; and EXIF's orientation.
+/// What is wrong with the file, or an empty text; EXIF's orientation; and
+/// which of the two kinds it is.
 struct PictureFile {
   std::string error;
   int orientation = 1;
+  bool is_jpeg = false;
 };
 
 /// The whole number in some bytes; 0 where they are not all there.
@@ -92,8 +94,8 @@ inline PictureFile inspect_jpeg(std::string_view bytes) {
       "it is cut off: a JPEG ends with the bytes FF D9, and there are none "
       "in its " +
           std::to_string(bytes.size()) + " bytes",
-      1};
-  PictureFile result;
+      1, true};
+  PictureFile result{"", 1, true};
   std::size_t at = 2;
   while (at + 1 < bytes.size()) {
     const auto marker = static_cast<std::uint8_t>(bytes[at + 1]);

@@ -1,0 +1,57 @@
+#pragma once
+
+// What the harnesses share. A harness takes any bytes at all, and ends the
+// program where what must hold does not; libFuzzer then keeps the bytes.
+
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "common/math/vector.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size);
+
+namespace lightwalk::fuzz {
+
+/// Where a harness reports, also where libFuzzer throws stderr away.
+inline std::FILE* const report = fdopen(dup(STDERR_FILENO), "w");
+
+/// Ends the program with a finding unless `what` holds.
+inline void expect(bool holds, const char* what,
+                   const std::string& but = "") {
+  if (holds) return;
+  std::fprintf(report, "fuzz: it does not hold that %s%s%s\n", what,
+               but.empty() ? "" : ": ", but.c_str());
+  std::fflush(report);
+  std::abort();
+}
+
+inline std::string text_of(const std::uint8_t* data, std::size_t size) {
+  return size == 0 ? std::string()
+                   : std::string(reinterpret_cast<const char*>(data), size);
+}
+
+/// Whether a message is one line, and does nothing to a terminal.
+inline bool is_one_line(std::string_view message) {
+  for (const char c : message) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < ' ' || byte == 0x7f) return false;
+  }
+  return !message.empty();
+}
+
+inline std::string text(const Vec3& v) {
+  char line[80];
+  std::snprintf(line, sizeof line, "(%.9g, %.9g, %.9g)",
+                static_cast<double>(v.x), static_cast<double>(v.y),
+                static_cast<double>(v.z));
+  return line;
+}
+
+}  // namespace lightwalk::fuzz

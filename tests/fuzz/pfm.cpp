@@ -1,0 +1,36 @@
+// PFM files: refused with a reason, or read, and then written and read again
+// to the same bits.
+
+#include <cstring>
+
+#include "common/image/pfm.hpp"
+#include "tests/fuzz/fuzz.hpp"
+#include "tests/fuzz/limited_memory.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::fuzz;
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const LimitedMemory limited;
+  Image image;
+  try {
+    image = decode_pfm(text_of(data, size));
+  } catch (const ImageError& error) {
+    expect(*error.what() != '\0', "a refusal says why");
+    return 0;
+  }
+  const std::size_t count = image.pixels.size();
+  expect(image.width > 0 && image.height > 0, "an image has pixels");
+  expect(count == static_cast<std::size_t>(image.width) *
+                      static_cast<std::size_t>(image.height),
+         "an image has width x height pixels");
+  expect(count * sizeof(float) < size, "every pixel was in the file");
+
+  const Image again = decode_pfm(encode_pfm(image));
+  expect(again.width == image.width && again.height == image.height,
+         "the size is kept");
+  expect(std::memcmp(again.pixels.data(), image.pixels.data(),
+                     count * sizeof(Vec3)) == 0,
+         "the pixels are kept to the bit");
+  return 0;
+}
