@@ -71,8 +71,9 @@ class Numbers {
   FuzzedDataProvider bytes_;
 };
 
-/// What holds of every hit, whatever the scene.
-inline void check_hit(const Ray& ray, const Hit& hit) {
+/// What holds of every hit in a scene whose coordinates are at most
+/// `scene_size`: where a shape is, is rounded as its largest coordinate is.
+inline void check_hit(const Ray& ray, const Hit& hit, float scene_size) {
   expect(hit.distance > 0 && hit.distance < infinity,
          "a hit's distance is above 0 and finite",
          std::to_string(hit.distance));
@@ -82,7 +83,8 @@ inline void check_hit(const Ray& ray, const Hit& hit) {
   const Vec3 there = ray.origin + hit.distance * ray.direction;
   const float size =
       std::max(max_abs_component(ray.origin), max_abs_component(there));
-  expect(length(hit.position - there) <= 1e-4f * (size + hit.distance),
+  expect(length(hit.position - there) <=
+             1e-4f * (size + hit.distance) + 0x1p-20f * scene_size,
          "a hit's place is on the ray", text(hit.position));
 }
 

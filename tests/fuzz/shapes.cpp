@@ -97,7 +97,7 @@ Expected expected(const Flat& flat, const Ray& ray) {
 
 /// A ray that leaves the hit: out of the shape or into it.
 void check_leaving(const Geometry& geometry, const Hit& hit, Vec3 direction,
-                   bool is_sphere) {
+                   bool is_sphere, float scene_size) {
   const Ray ray = spawn_ray(hit, direction);
   expect(is_finite(ray.origin), "a leaving ray starts somewhere",
          text(ray.origin));
@@ -113,7 +113,7 @@ void check_leaving(const Geometry& geometry, const Hit& hit, Vec3 direction,
   expect(again.has_value() == (ray.again > 0),
          "a ray into a sphere meets its far side");
   if (again) {
-    check_hit(ray, *again);
+    check_hit(ray, *again, scene_size);
     expect(again->distance <= hit.diameter * 1.0001f,
            "a chord is not longer than the diameter");
   }
@@ -141,7 +141,7 @@ void check(const Shape& shape, Numbers& numbers) {
       }
     }
     if (!hit) continue;
-    check_hit(ray, *hit);
+    check_hit(ray, *hit, size_of(shape));
     expect(!geometry.occluded(ray, hit->distance),
            "nothing is in front of the first hit");
     expect(hit->shape_index == 0 && hit->material == &material,
@@ -157,9 +157,10 @@ void check(const Shape& shape, Numbers& numbers) {
                " roundings, from " + text(ray.origin) + " after " +
                std::to_string(hit->distance));
     constexpr bool is_sphere = std::is_same_v<Shape, Sphere>;
-    check_leaving(geometry, *hit, numbers.direction(), is_sphere);
-    check_leaving(geometry, *hit, -ray.direction, is_sphere);
-    check_leaving(geometry, *hit, ray.direction, is_sphere);
+    check_leaving(geometry, *hit, numbers.direction(), is_sphere,
+                  size_of(shape));
+    check_leaving(geometry, *hit, -ray.direction, is_sphere, size_of(shape));
+    check_leaving(geometry, *hit, ray.direction, is_sphere, size_of(shape));
   }
 }
 
