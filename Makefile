@@ -99,6 +99,7 @@ diff: build
 
 # Remakes the images that the stages are held to: minutes.
 goldens: build
+	@cmake --build $(BUILD) -j $(JOBS) --target make_parts
 	@python3 -m tests.golden.make_goldens
 
 # How often the goldens reject a right program: minutes.
