@@ -1,7 +1,24 @@
 # The front door. `make` renders the lab's box with the newest stage;
 # `make help` lists what else there is.
 
+# What people type is text: make must not run what a file's name says. It goes
+# to programs by the environment, and there in quotes.
+SEEDS ?= 200
+typed := A B SCENE OPTIONS MISTAKES BASE SEEDS
+$(foreach name,$(typed),$(eval override $(name) := $$(value $(name))))
+export $(typed)
+
 BUILD  ?= build
+# A rule's name can have no blank, and it is part of many.
+override BUILD := $(value BUILD)
+ifneq ($(words $(BUILD)),1)
+  $(error BUILD='$(BUILD)': a folder's name without blanks is expected)
+endif
+dollar := $$
+comma := ,
+ifneq ($(strip $(foreach bad,$(dollar) ` " ' \ ; & | < > ( ) * ? [ ] { } ! : $(comma),$(findstring $(bad),$(BUILD)))),)
+  $(error BUILD='$(BUILD)': letters$(comma) digits and . _ - + / ~ @ are expected)
+endif
 # Set CMAKE_ARGS to pass more to CMake, such as -DCMAKE_CXX_COMPILER=clang++.
 CMAKE_ARGS ?=
 JOBS   ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -80,23 +97,23 @@ $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
 # B may be stages, images, or programs. Exit code 1 where they differ.
 diff: build
 	@cmake --build $(BUILD) -j $(JOBS) --target stage-diff
-	@BUILD=$(BUILD) OPTIONS="$(OPTIONS)" compare/diff.sh "$(A)" "$(B)" "$(SCENE)"
+	@BUILD=$(BUILD) compare/diff.sh
 
 # Remakes the images that the stages are held to: minutes.
 goldens: build
+	@cmake --build $(BUILD) -j $(JOBS) --target make_parts
 	@python3 -m tests.golden.make_goldens
 
 # How often the goldens reject a right program: minutes.
-SEEDS ?= 200
 null-test: build
 	@cmake --build $(BUILD) -j $(JOBS) --target null_test
-	@$(BUILD)/null_test $(SEEDS)
+	@$(BUILD)/null_test "$$SEEDS"
 
 # Takes minutes at first; later runs repeat only what has changed. MISTAKES
 # names a few of them, or gives the program's options: MISTAKES="--stage 2".
 mistakes: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS)
-	@python3 -m tests.mistakes.mistakes -j $(JOBS) $(MISTAKES)
+	@set -f; python3 -m tests.mistakes.mistakes -j $(JOBS) $$MISTAKES
 
 # Feeds readers, geometry and comparison with what nobody would write, for
 # SECONDS in all; HARNESS names some of tests/fuzz/. Built by Clang, in a
@@ -155,7 +172,7 @@ compare_py = $(firstword $(wildcard $(addsuffix /compare.py, \
 bench-compare: setup-bench $(BUILD)/bench-venv/made
 	@$(BUILD)/bench-venv/bin/python $(or $(compare_py),$(error \
 	  Google Benchmark came without its compare.py)) --no-color \
-	  -a benchmarks $(BASE) $(BUILD)/bench.json
+	  -a benchmarks "$$BASE" $(BUILD)/bench.json
 
 # Mitsuba 3 side by side with stage 4. LLVM is the system's: `apt-get install
 # libllvm19` where Debian 12 has it, and

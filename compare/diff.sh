@@ -1,38 +1,68 @@
 #!/bin/sh
-# diff.sh A B SCENE: renders and compares. A and B are stages (stage3), images
-# (.exr, .pfm, .ppm), or any program with the stages' command line. What they
-# are rendered with beyond that is in OPTIONS, such as "--spp 64".
-set -eu
+# Renders and compares: A and B in the environment are stages (stage3), images
+# (.exr, .pfm, .ppm), or any program with the stages' command line. SCENE is
+# what they render, and OPTIONS what they are told beyond that ("--spp 64").
+# Exit codes: 0 the same, 1 different, 2 cannot compare.
+#
+# Each run has a folder of its own, so that no picture of an earlier run, or of
+# one at the same time, can be taken for this one's.
+set -euf
 build=${BUILD:-build}
-a=${1:?A is missing: a stage, an image or a program}
-b=${2:?B is missing: a stage, an image or a program}
-scene=${3:-}
-mkdir -p "$build/diff"
 
-# image_of NAME OUT SEED: prints the path of NAME's image, rendering it to OUT
-# if NAME is not an image itself.
+cannot() {
+  printf 'diff: %s\n' "$1" >&2
+  exit 2
+}
+[ -n "${A:-}" ] || cannot "A is missing: a stage, an image or a program"
+[ -n "${B:-}" ] || cannot "B is missing: a stage, an image or a program"
+case $build in /*) ;; *) build=./$build ;; esac
+mkdir -p "$build/diff"
+folder=$(mktemp -d "$build/diff/run.XXXXXX")
+echo $$ > "$folder/running"
+trap 'rm -f "$folder/running"' EXIT
+
+# Of the runs before, the last twenty stay, and those that still run.
+ls -t "$build/diff" | grep '^run\.' | tail -n +21 | while read -r old; do
+  old=$build/diff/$old
+  [ -f "$old/running" ] && kill -0 "$(cat "$old/running")" 2> /dev/null ||
+    rm -rf "$old"
+done
+
+# image_of LETTER NAME SEED: sets `image` to the path of NAME's image, and
+# renders it if NAME is not an image itself.
+rendered=0
 image_of() {
-  case $1 in
-    *.exr | *.pfm | *.ppm) echo "$1"; return ;;
-    stage[1-9]) program=$build/$1 ;;
-    */*) program=$1 ;;
-    *) program=./$1 ;;
+  case $2 in
+    stage[1-9]) program=$build/$2 ;;
+    /*) program=$2 ;;
+    *) program=./$2 ;;
   esac
-  [ -x "$program" ] || {
-    echo "diff: '$1' is no stage, no image and no program" >&2
-    exit 2
-  }
-  [ -n "$scene" ] || { echo "diff: SCENE=... is missing" >&2; exit 2; }
+  case $2 in
+    *.exr | *.pfm | *.ppm) image=$program; return ;;
+  esac
+  [ -f "$program" ] && [ -x "$program" ] ||
+    cannot "$1: '$2' is no stage, no image and no program"
+  [ -n "${SCENE:-}" ] || cannot "SCENE=... is missing"
+  image=$folder/$1.exr
+  # OPTIONS are words, and no patterns of file names: -f is set.
   # shellcheck disable=SC2086
-  "$program" "$scene" -o "$2" --seed "$3" --size 128x128 ${OPTIONS:-} >&2 ||
-    exit 2
-  echo "$2"
+  "$program" "$SCENE" -o "$image" --seed "$3" --size 128x128 ${OPTIONS:-} \
+    >&2 < /dev/null || cannot "$1: '$2' ended with exit code $?"
+  [ -s "$image" ] || cannot "$1: '$2' wrote no image"
+  rendered=$((rendered + 1))
 }
 
-image_a=$(image_of "$a" "$build/diff/a.exr" 1)
-image_b=$(image_of "$b" "$build/diff/b.exr" 2)
+image_of A "$A" 1
+image_a=$image
+image_of B "$B" 2
+set -- "$image_a" "$image" -o "$folder/diff.png"
+[ "$rendered" -lt 2 ] || set -- "$@" --other-seeds
 status=0
-"$build/stage-diff" "$image_a" "$image_b" -o "$build/diff/diff.png" ||
-  status=$?
-[ "$status" = 2 ] || echo "A, B, difference and z: $build/diff/diff.png"
+"$build/stage-diff" "$@" || status=$?
+if [ -f "$folder/diff.png" ]; then
+  cp "$folder/diff.png" "$folder/last.png"
+  mv -f "$folder/last.png" "$build/diff/diff.png"
+  echo "A, B, difference and z: ${folder#./}/diff.png"
+  echo "(the last comparison's is always ${build#./}/diff/diff.png)"
+fi
 exit "$status"

@@ -3,12 +3,15 @@
 // Exit codes: 0 the same within the band, 1 different, 2 cannot compare.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "common/image/image_file.hpp"
 #include "common/program/signals.hpp"
 #include "common/scene_file/message_text.hpp"
+#include "compare/claims.hpp"
 #include "compare/comparison.hpp"
 #include "compare/verdict.hpp"
 
@@ -37,12 +40,18 @@ RenderResult read(const std::string& path) {
                  one_line(path + ": " + result.note).c_str());
   }
   for (const Image* image : {&result.radiance, &result.variance}) {
+    const bool variance = image == &result.variance;
     for (std::size_t i = 0; i < image->pixels.size(); ++i) {
-      if (is_finite(image->pixels[i])) continue;
+      const Vec3& pixel = image->pixels[i];
+      const bool finite = is_finite(pixel);
+      const bool negative = std::min({pixel.x, pixel.y, pixel.z}) < 0;
+      if (finite && !(variance && negative)) continue;
       const auto width = static_cast<std::size_t>(image->width);
-      throw CannotCompare(path + ": the pixel in column " +
-                          std::to_string(i % width) + ", row " +
-                          std::to_string(i / width) + " is not finite");
+      throw CannotCompare(path + ": the " +
+                          (variance ? "variance of the " : "") +
+                          "pixel in column " + std::to_string(i % width) +
+                          ", row " + std::to_string(i / width) + " is " +
+                          (finite ? "negative" : "not finite"));
     }
   }
   return result;
@@ -102,6 +111,58 @@ void warn_of_other_settings(const RenderInfo& a, const RenderInfo& b) {
   }
 }
 
+/// Whether no pixel has any noise.
+bool is_quiet(const RenderResult& result) {
+  return std::all_of(result.variance.pixels.begin(),
+                     result.variance.pixels.end(),
+                     [](const Vec3& pixel) { return pixel == Vec3(0); });
+}
+
+/// A number for people. What no number can say, a quotient by zero, is "-".
+std::string figure(const char* format, double x) {
+  char text[400];
+  std::snprintf(text, sizeof text, format, x);
+  return std::isfinite(x) ? text : "-";
+}
+
+/// B is the reference: what A claims to be its noise must show.
+void check_claims(const RenderResult& a, const RenderResult& b) {
+  const auto claim = false_claim(a, b, tile_scale(a, b));
+  if (!claim) return;
+  char text[200];
+  const bool infinite = !std::isfinite(claim->times);
+  std::snprintf(text, sizeof text,
+                "cannot compare: %c claims %s%s the noise of %c, and its "
+                "pixels show %.2g %% of that",
+                claim->by_test ? 'A' : 'B',
+                infinite ? "noise, beyond all of"
+                         : figure("%.3g", claim->times).c_str(),
+                infinite ? "" : " times", claim->by_test ? 'B' : 'A',
+                100 * claim->shown);
+  throw CannotCompare(
+      text + (", at " +
+              place_of(claim->region, b.radiance.width, b.radiance.height)));
+}
+
+/// Whether two pictures that have noise are equal in every bit.
+bool same_bits(const RenderResult& a, const RenderResult& b) {
+  return a.radiance.pixels == b.radiance.pixels && !is_quiet(b);
+}
+
+/// What is to be said about how noisy A is, for each sample of it.
+std::string noise_of(const RenderResult& a, const RenderResult& b) {
+  if (is_quiet(a)) {
+    return is_quiet(b) ? ""
+                       : "; A has no noise at all, do its random "
+                         "numbers do anything?";
+  }
+  const double ratio = variance_ratio(a, b);
+  if (!std::isfinite(ratio) || (ratio < 1.5 && ratio > 0.6)) return "";
+  return "; " + figure("%.2f", ratio) +
+         " times the variance of the reference, sample for sample: " +
+         (ratio > 1 ? "noisier" : "quieter");
+}
+
 /// Errors over all pixels, for people who think in them.
 struct Totals {
   double ratio[3];      ///< mean of A over mean of B
@@ -141,13 +202,6 @@ double critical_z(std::size_t count) {
   return z;
 }
 
-/// A number for people. What no number can say, a quotient by zero, is "-".
-std::string figure(const char* format, double x) {
-  char text[400];
-  std::snprintf(text, sizeof text, format, x);
-  return std::isfinite(x) ? text : "-";
-}
-
 /// A number as JSON has it: what is not finite is null.
 std::string json_number(double x) {
   char text[32];
@@ -178,7 +232,7 @@ void print_json(bool same, const Totals& totals, const std::string& verdict,
 }
 
 int compare(const std::string& a_path, const std::string& b_path,
-            const std::string& picture, bool json) {
+            const std::string& picture, bool json, bool other_seeds) {
   RenderResult a = read(a_path), b = read(b_path);
   if (a.radiance.width != b.radiance.width ||
       a.radiance.height != b.radiance.height) {
@@ -191,6 +245,12 @@ int compare(const std::string& a_path, const std::string& b_path,
   borrow_variance(a_path, a, b);
   borrow_variance(b_path, b, a);
   warn_of_other_settings(a.info, b.info);
+  if (other_seeds && same_bits(a, b)) {
+    throw CannotCompare(
+        "cannot compare: the same bits from two seeds: is this one render "
+        "twice, or does the seed change nothing?");
+  }
+  check_claims(a, b);
 
   Bands bands;
   const auto all = compare_regions(a, b, bands, tile_scale(a, b));
@@ -204,7 +264,10 @@ int compare(const std::string& a_path, const std::string& b_path,
   const std::string verdict =
       (same ? "" : "different: A is ") +
       describe(all, differing, bands, b.radiance.width, b.radiance.height,
-               [](const Region&) { return std::string(); });
+               [](const Region&) { return std::string(); }) +
+      (same && same_bits(a, b)
+           ? ": they are the same bits, is this one render twice?"
+           : noise_of(a, b));
   const RegionDifference& worst = *worst_of(all);
   if (!picture.empty()) {
     RenderResult panels;
@@ -245,7 +308,7 @@ int compare(const std::string& a_path, const std::string& b_path,
 
 int main(int argc, char** argv) {
   std::string a, b, picture;
-  bool json = false;
+  bool json = false, other_seeds = false;
   CLI::App app("Are two renders the same picture, but for their noise?",
                "stage-diff");
   app.add_option("A", a, "Image (.exr, .pfm or .ppm)")->required();
@@ -257,6 +320,8 @@ int main(int argc, char** argv) {
                                       : "'" + path + "' does not end in .png";
       });
   app.add_flag("--json", json, "Print the figures as JSON");
+  app.add_flag("--other-seeds", other_seeds,
+               "Refuse the same bits: A and B had different seeds");
   app.set_version_flag("--version",
                        "stage-diff (Lightwalk) " LIGHTWALK_VERSION);
   app.footer("Exit codes: 0 the same, 1 different, 2 cannot compare.");
@@ -271,7 +336,7 @@ int main(int argc, char** argv) {
   }
   catch_ending_signals(end_by_signal);
   try {
-    return compare(a, b, picture, json);
+    return compare(a, b, picture, json, other_seeds);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "stage-diff: %s\n", one_line(error.what()).c_str());
     return 2;

@@ -41,6 +41,7 @@ inline std::string amount_of(double test, double reference) {
   char text[64];
   const double ratio = test / reference;
   if (!(reference > 0)) return "light where it should be black";
+  if (ratio < 0.005) return "all but black";
   if (ratio > 2) {
     std::snprintf(text, sizeof text, "%.3g times too bright", ratio);
   } else {

@@ -1,7 +1,11 @@
 """stage-diff: the same, different, or not to be compared."""
 
 import json
+import os
+import shlex
+import shutil
 import struct
+import subprocess
 import unittest
 
 import programs
@@ -210,6 +214,129 @@ class StageDiff(programs.InFolder):
         self.assertEqual(programs.run("stage-diff").returncode, 2)
         self.assertEqual(self.diff("a.exr", "b.exr", "-o", "x.jpg").returncode, 2)
         self.assertEqual(programs.run("stage-diff", "--help").returncode, 0)
+
+    def test_the_same_bits_are_called_so(self):
+        a, b = self.render("a.exr"), self.render("b.exr")
+        self.assertIn("the same bits, is this one render twice?", self.diff(a, b).stdout)
+        result = self.diff(a, b, "--other-seeds")
+        self.assertEqual(result.returncode, 2, result.stdout)
+        self.assertIn("does the seed change nothing?", result.stderr)
+        b = self.render("b.exr", "--seed", "2")
+        result = self.diff(a, b, "--other-seeds")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotIn("same bits", result.stdout)
+
+    def test_noise_is_told(self):
+        a, b = self.render("a.exr", "--sampling", "uniform", "--seed", "2"), self.render("b.exr")
+        self.assertRegex(self.diff(a, b).stdout, r"band; [12]\.\d\d times the variance .*: noisier")
+        self.assertRegex(self.diff(b, a).stdout, r"band; 0\.\d+ times the variance .*: quieter")
+
+
+class Diff(programs.InFolder):
+    """`make diff`, whose programs are shell scripts here."""
+
+    def setUp(self):
+        super().setUp()
+        self.build = self.folder / "build"
+        self.build.mkdir()
+        (self.build / "stage-diff").symlink_to(programs.BUILD / "stage-diff")
+        for stage in programs.built_stages():
+            (self.build / stage).symlink_to(programs.BUILD / stage)
+
+    def program(self, name, *lines):
+        path = self.folder / name
+        path.write_text("\n".join(("#!/bin/sh", *lines, "")))
+        path.chmod(0o755)
+        return path
+
+    def start(self, a, b, **variables):
+        given = {"A": a, "B": b, "SCENE": BOX, "OPTIONS": "--spp 4 --quiet", **variables}
+        return subprocess.Popen(
+            [programs.ROOT / "compare" / "diff.sh"],
+            env={**os.environ, "BUILD": str(self.build), **{k: str(v) for k, v in given.items()}},
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def diff(self, a, b, **variables):
+        process = self.start(a, b, **variables)
+        output, errors = process.communicate(timeout=programs.HANG)
+        return process.returncode, output, errors
+
+    def check_cannot(self, words, *arguments, **variables):
+        code, output, errors = self.diff(*arguments, **variables)
+        self.assertEqual((code, output), (2, ""), errors)
+        self.assertIn(words, errors)
+
+    def test_no_picture_of_an_earlier_run_is_believed(self):
+        code, output, errors = self.diff("stage1", "stage1")
+        self.assertEqual(code, 0, output + errors)
+        picture = self.build / "diff" / "diff.png"
+        self.assertIn(str(picture), output)
+        self.assertTrue(picture.exists())
+        nothing = self.program("nothing", "exit 0")
+        self.check_cannot(f"A: '{nothing}' wrote no image", nothing, "stage1")
+        self.check_cannot(f"B: '{nothing}' wrote no image", "stage1", nothing)
+        failing = self.program("failing", "exit 3")
+        self.check_cannot("ended with exit code 3", failing, "stage1")
+
+    def test_one_picture_twice_is_refused(self):
+        same = self.program("same", f'exec {shlex.quote(str(self.build))}/stage1 "$@" --seed 1')
+        self.check_cannot("the same bits from two seeds", same, same)
+
+    def test_two_at_once(self):
+        black = self.program("black", f'exec {shlex.quote(str(self.build))}/stage1 "$@" --max-bounces 0')
+        pairs = [("stage1", "stage1", 0), (black, "stage1", 1)]
+        running = [(self.start(a, b), code) for a, b, code in pairs]
+        for process, code in running:
+            output, errors = process.communicate(timeout=programs.HANG)
+            self.assertEqual(process.returncode, code, output + errors)
+
+    def test_old_runs_go(self):
+        for i in range(30):
+            (self.build / "diff" / f"run.{i:06}").mkdir(parents=True)
+        (self.build / "diff" / "run.000000" / "running").write_text(str(os.getpid()))
+        os.utime(self.build / "diff" / "run.000000", (0, 0))
+        self.diff("stage1", "stage1")
+        left = [path.name for path in (self.build / "diff").glob("run.*")]
+        self.assertLessEqual(len(left), 22)
+        self.assertIn("run.000000", left)
+
+    def test_names_are_no_programs(self):
+        """By make too, which expands what its variables say."""
+        image = self.folder / "x.exr"
+        programs.run("stage1", BOX, "-o", image, "--size", "8x8", "--spp", "4", "--quiet")
+        for name in (
+            "a`touch ran`.exr",
+            "$(touch ran).exr",
+            "$(shell touch ran).exr",
+            "$(info ran)$x.exr",
+            "a'; touch ran; '.exr",
+            'a"; touch ran; ".exr',
+            "a b *.exr",
+            "-o.exr",
+            "a\\tb.exr",
+        ):
+            with self.subTest(name):
+                shutil.copy(image, self.folder / name)
+                made = subprocess.run(
+                    [
+                        *("make", "-s", "--no-print-directory", "-f", "Makefile"),
+                        *("names", f"A={name}", f"B={name}", f"SCENE={name}", f"OPTIONS={name}"),
+                        *("--eval", 'names: ; @printf "%s|" "$$A" "$$B" "$$SCENE" "$$OPTIONS"'),
+                    ],
+                    cwd=programs.ROOT,
+                    capture_output=True,
+                    text=True,
+                )
+                self.assertFalse((programs.ROOT / "ran").exists())
+                self.assertEqual(made.stdout, 4 * f"{name}|", made.stderr)
+                code, output, errors = self.diff(name, name)
+                self.assertEqual(code, 0, output + errors)
+                self.assertIn("the same bits", output)
+                self.assertFalse((self.folder / "ran").exists())
 
 
 if __name__ == "__main__":

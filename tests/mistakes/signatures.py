@@ -96,13 +96,13 @@ def confusion(rows, reports):
         if not failures:
             continue
         caught += 1
-        said = re.findall(r"it agrees with (.*)", report)
-        first = [re.match(r"'([^']*)'", one)[1] for one in said]
+        said = re.findall(r"known mistake makes the same picture, .*", report)
+        first = [re.search(r'" \(([^)]*)\)', one)[1] for one in said]
         votes = {name: first.count(name) for name in first}
         best = max(votes, key=votes.get) if votes else "nothing"
         right += best == mistake.name
         lines.append(
-            f"| {mistake.stage} | {mistake.name} | {'; '.join(said) or '-'} "
+            f"| {mistake.stage} | {mistake.name} | {'; '.join(first) or '-'} "
             f"| {'yes' if best == mistake.name else best} |"
         )
     lines.append(f"\n{right} of the {caught} that a golden catches are named first.")

@@ -116,18 +116,53 @@ std::string broken_outright(const RenderResult& result) {
   return "";
 }
 
-/// Where tests/mistakes/signatures.py asks for it, what a known mistake looks like.
+/// Where tests/mistakes/signatures.py asks for it, what a known mistake looks
+/// like.
 static void write_signature(int stage, const Golden& golden,
-                            const Comparison& comparison) {
+                            const Comparison& comparison,
+                            const std::string& wrong) {
   const char* name = std::getenv("LIGHTWALK_SIGNATURE");
   if (!name) return;
+  Signature signature = signature_of(comparison.test, name);
+  signature.wrong_parts = wrong;
   std::ofstream file(signature_path(".", stage, golden.name));
-  file << signature_line(signature_of(comparison.test, name)) << '\n';
+  file << signature_line(signature) << '\n';
+}
+
+/// What the catalogue says of a mistake; empty where there is none.
+static std::string sentence_of(int stage, const std::string& mistake) {
+  try {
+    const toml::table catalogue = toml::parse_file(
+        std::string(folder) + "/../mistakes/" + stage_name(stage) + ".toml");
+    for (const toml::node& node : *catalogue["mistake"].as_array()) {
+      const toml::table& entry = *node.as_table();
+      if (entry["name"].value<std::string>() == mistake) {
+        return entry["sentence"].value_or(std::string());
+      }
+    }
+  } catch (const toml::parse_error&) {
+    // Nothing can be said without it.
+  }
+  return "";
+}
+
+/// The known mistakes that make the same picture.
+static std::string known_in_words(int stage,
+                                  const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    const std::string sentence = sentence_of(stage, name);
+    if (sentence.empty()) continue;
+    text += (text.empty() ? "This known mistake makes the same picture, as "
+                            "others may: "
+                          : " And this: ") +
+            ("\"" + sentence + "\" (" + name + ")");
+  }
+  return text;
 }
 
 std::string explain(int stage, const Golden& golden,
-                    const Comparison& comparison) {
-  write_signature(stage, golden, comparison);
+                    const Comparison& comparison, const Painter& paint) {
   const Bands bands;
   const Image& image = golden.image.radiance;
   std::string text =
@@ -136,11 +171,21 @@ std::string explain(int stage, const Golden& golden,
                image.height, [&](const Region& region) {
                  return seen_in(golden.loaded, region);
                });
-  const std::string diagnosis =
-      diagnose(comparison.test, golden.image,
-               load_signatures(std::string(folder) + "/signatures", stage,
-                               golden.name));
-  if (!diagnosis.empty()) text += "\n" + diagnosis;
+  std::vector<Part> right =
+      load_parts(part_path(stage, golden.name), golden.loaded.sha256);
+  const std::vector<PartVerdict> verdicts = judge_parts(golden, right, paint);
+  const std::string wrong = right.empty() ? "" : wrong_parts(verdicts);
+  write_signature(stage, golden, comparison, wrong);
+  right.push_back(part_of(golden.image, "all"));
+  for (const std::string& one :
+       {tell_parts(verdicts, right, view_of(golden)),
+        known_in_words(
+            stage, known_mistakes(
+                       comparison.test, golden.image, wrong,
+                       load_signatures(std::string(folder) + "/signatures",
+                                       stage, golden.name)))}) {
+    if (!one.empty()) text += "\n" + one;
+  }
   const std::filesystem::path report = "golden_failures";
   std::error_code ignored;
   std::filesystem::create_directories(report, ignored);

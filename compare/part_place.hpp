@@ -1,0 +1,240 @@
+#pragma once
+
+// # Where, and by how much, in words
+//
+// Only what is sure is said: "only where 'glass' is seen" if every tile that
+// differs has some of it and the other tiles are right together, and a factor
+// if all tiles agree on it.
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/factors.hpp"
+#include "compare/parts.hpp"
+#include "compare/verdict.hpp"
+
+namespace lightwalk {
+
+/// Something in the picture, and what may be multiplied by mistake where it
+/// is seen.
+struct SeenThing {
+  std::string name;         ///< "'glass'", "the sphere of 'white'"
+  std::vector<int> pixels;  ///< of each tile
+  std::vector<std::pair<std::string, std::array<double, 3>>> coefficients;
+};
+
+/// What the parts are seen against.
+struct PartsView {
+  std::size_t columns = 8;  ///< of tiles
+  std::vector<int> pixels;  ///< of each tile
+  std::vector<SeenThing> things;
+  std::vector<NamedValue> factors;  ///< that have a name
+};
+
+/// Where light is wrong: words, and the tiles to measure it in.
+struct Place {
+  std::string words;  ///< empty if there is no simple answer
+  Tiles tiles;
+  const SeenThing* thing = nullptr;
+};
+
+/// Whether the tiles that have nothing of the thing are right together.
+inline bool rest_is_right(const PartVerdict& verdict, const Part& right,
+                          const SeenThing& thing) {
+  Tiles rest;
+  for (std::size_t i = 0; i < verdict.tiles.size(); ++i) {
+    if (thing.pixels[i] == 0) rest.push_back(i);
+  }
+  if (rest.size() < 3) return false;
+  for (int channel = 0; channel < 3; ++channel) {
+    const auto d = compare_tiles(verdict.test, right, rest, channel, 0.01, 0);
+    if (!d.same({}) ||
+        std::abs(d.test - d.reference) > 0.03 * d.reference + 4 * d.sigma) {
+      return false;
+    }
+  }
+  return true;
+}
+
+inline Place place_of(const PartVerdict& verdict, const Part& right,
+                      const PartsView& view) {
+  Place place;
+  double bright = 0;
+  for (const double one : right.mean) bright = std::max(bright, one);
+  std::size_t wrong = 0, wrong_and_lit = 0;
+  for (std::size_t i = 0; i < verdict.tiles.size(); ++i) {
+    bool lit = false;
+    for (int c = 0; c < 3; ++c) {
+      lit = lit || verdict.test.mean_of(i, c) > 1e-3 * bright ||
+            right.mean_of(i, c) > 1e-3 * bright;
+    }
+    if (lit) place.tiles.push_back(i);
+    wrong += verdict.tiles[i] ? 1 : 0;
+    wrong_and_lit += lit && verdict.tiles[i] ? 1 : 0;
+  }
+  if (10 * wrong_and_lit >= 9 * place.tiles.size()) {
+    const bool whole = place.tiles.size() == verdict.tiles.size();
+    place.words = whole ? "everywhere" : "wherever there is light";
+    return place;
+  }
+  std::size_t fewest = 7 * verdict.tiles.size() / 10;
+  for (const SeenThing& thing : view.things) {
+    std::size_t seen = 0, missed = 0, full = 0, full_wrong = 0;
+    for (std::size_t i = 0; i < verdict.tiles.size(); ++i) {
+      const bool here = thing.pixels[i] > 0;
+      seen += here ? 1 : 0;
+      missed += verdict.tiles[i] && !here ? 1 : 0;
+      if (2 * thing.pixels[i] < view.pixels[i]) continue;
+      ++full;
+      full_wrong += verdict.tiles[i] ? 1 : 0;
+    }
+    if (wrong < 3 || missed > 0 || seen >= fewest || 2 * full_wrong < full ||
+        full == 0 || !rest_is_right(verdict, right, thing)) {
+      continue;
+    }
+    fewest = seen;
+    place.thing = &thing;
+  }
+  if (!place.thing) return place;
+  place.words = "only where " + place.thing->name + " is seen";
+  Tiles full, half;
+  for (std::size_t i = 0; i < verdict.tiles.size(); ++i) {
+    const int pixels = place.thing->pixels[i];
+    if (pixels == view.pixels[i]) full.push_back(i);
+    if (2 * pixels >= view.pixels[i]) half.push_back(i);
+  }
+  place.tiles = full.size() >= 3 ? full : half;
+  return place;
+}
+
+/// Whether the light is wrong by a coefficient of what is seen, such as its
+/// kd: the name. All things must agree, and not all by the same number.
+inline std::string coefficient_of(const Part& test, const Part& right,
+                                  const Part* before, const Place& place,
+                                  const PartsView& view) {
+  std::set<std::string> possible, impossible;
+  std::map<std::string, std::set<int>> values;
+  for (const SeenThing& thing : view.things) {
+    if (thing.coefficients.empty()) continue;
+    if (place.thing && place.thing != &thing) continue;
+    Tiles full;
+    for (const std::size_t i : place.tiles) {
+      if (thing.pixels[i] == view.pixels[i]) full.push_back(i);
+    }
+    if (full.size() < 2) continue;
+    for (int c = 0; c < 3; ++c) {
+      const Factor factor = factor_of(test, right, before, full, c);
+      if (!(factor.sigma > 0) || !factor.known) continue;
+      for (const auto& [name, value] : thing.coefficients) {
+        const double v = value[static_cast<std::size_t>(c)];
+        const bool agrees = v > 0 && is_value(factor, v);
+        (agrees ? possible : impossible).insert(name);
+        values[name].insert(static_cast<int>(std::lround(1000 * v)));
+      }
+    }
+  }
+  for (const std::string& name : possible) {
+    if (!impossible.count(name) && values[name].size() >= 2) return name;
+  }
+  return "";
+}
+
+inline std::string as_figure(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+/// "in all channels", "in red and green".
+inline std::string channels_in_words(const std::array<bool, 3>& channels) {
+  static const char* names[] = {"red", "green", "blue"};
+  std::string text;
+  int count = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!channels[c]) continue;
+    text += std::string(count++ ? " and " : "in ") + names[c];
+  }
+  return count == 3 ? "in all channels" : text;
+}
+
+/// "0.318 times as much as it should be, in all channels (1/pi is 0.318)".
+inline std::string amount_in_words(const PartVerdict& verdict,
+                                   const Part& right, const Part* before,
+                                   const Place& place,
+                                   const PartsView& view) {
+  std::array<Factor, 3> factors;
+  std::array<bool, 3> channels{};
+  double test = 0, reference = 0;
+  bool some_varies = false;
+  double least = 1e30, most = 0;
+  for (int c = 0; c < 3; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    for (const std::size_t tile : place.tiles) {
+      const double b = before ? before->mean_of(tile, c) : 0;
+      test += verdict.test.mean_of(tile, c) - b;
+      reference += right.mean_of(tile, c) - b;
+    }
+    if (!verdict.channels[i]) continue;
+    channels[i] = true;
+    factors[i] = factor_of(verdict.test, right, before, place.tiles, c);
+    some_varies = some_varies || factors[i].varies;
+    if (factors[i].varies) {
+      least = std::min(least, factors[i].least);
+      most = std::max(most, factors[i].most);
+    }
+  }
+  const std::string where = channels_in_words(channels);
+  if (!(reference > 0)) return test > 0 ? "there should be none" : "";
+  const bool missing =
+      std::all_of(factors.begin(), factors.end(), [](const Factor& one) {
+        return !(one.sigma > 0) ||
+               std::abs(one.ratio) < std::min(0.05, 4 * one.sigma + 0.002);
+      });
+  if (missing) return "it is missing, " + where;
+  const std::string coefficient =
+      coefficient_of(verdict.test, right, before, place, view);
+  if (!coefficient.empty()) {
+    return "it is as it should be times " + coefficient + " of what is seen";
+  }
+  if (const auto factor = common_factor(factors)) {
+    std::vector<NamedValue> values = view.factors;
+    if (place.thing) {
+      for (const auto& [name, value] : place.thing->coefficients) {
+        if (value[0] == value[1] && value[1] == value[2]) {
+          values.push_back({value[0], name});
+        }
+      }
+    }
+    const std::string name = name_of(*factor, values);
+    return "it is " + as_figure(factor->ratio) +
+           " times what it should be, " + where +
+           (name.empty() ? "" : " (that is " + name + ")");
+  }
+  const bool each =
+      std::all_of(factors.begin(), factors.end(), [](const Factor& one) {
+        return !(one.sigma > 0) || (one.uniform && one.known);
+      });
+  if (each) {
+    std::string text;
+    static const char* names[] = {"red", "green", "blue"};
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!(factors[c].sigma > 0)) continue;
+      text += (text.empty() ? "it is " : ", ") + as_figure(factors[c].ratio) +
+              " times in " + names[c];
+    }
+    return text + " what it should be";
+  }
+  if (some_varies) {
+    return "it is " + as_figure(std::max(0.0, least)) + " to " +
+           as_figure(most) +
+           " times what it should be, so by no constant factor, " + where;
+  }
+  return "it is " + amount_of(test, reference) + ", " + where;
+}
+
+}  // namespace lightwalk
