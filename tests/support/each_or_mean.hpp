@@ -68,4 +68,18 @@ class EachOrMean {
   float first_wrong_ = 0;
 };
 
+/// A variance that is known exactly. Less than that is a mistake: something
+/// is not random that should be. More of it is told: a right program may
+/// leave more to chance.
+inline void check_variance(const std::string& what, const Pixel& pixel,
+                           int channel, double expected, double share) {
+  const double variance = pixel.variance(channel);
+  INFO(what, ": variance ", variance, ", expected ", expected);
+  CHECK(variance >= (1 - share) * expected);
+  if (variance > (1 + share) * expected) {
+    MESSAGE(what, ": ", variance / expected,
+            " times the noise of the course's own program");
+  }
+}
+
 }  // namespace lightwalk::tests
