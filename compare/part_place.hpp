@@ -295,6 +295,7 @@ inline std::string amount_in_words(const PartVerdict& verdict,
            (name.empty() ? "" : " (that is " + name + ")");
   }
   if (!place.pure) {
+    if (std::abs(test / reference - 1) < 0.03) return "";
     return "in all tiles together it is " + amount_of(test, reference) +
            ", " + where;
   }

@@ -74,6 +74,14 @@ inline std::string bound_in_words(const std::vector<PartVerdict>& bounces,
                "bound: max_bounces changes nothing.";
 }
 
+/// Whether a part is black.
+inline bool no_light(const std::vector<Part>& parts,
+                     const std::string& name) {
+  const Part* part = find_part(parts, name);
+  return part && std::all_of(part->mean.begin(), part->mean.end(),
+                             [](double x) { return x == 0; });
+}
+
 /// What the pictures with 0, 1, 2, ... bounces say.
 inline std::string bounces_in_words(const std::vector<PartVerdict>& bounces,
                                     const std::vector<Part>& right,
@@ -93,7 +101,8 @@ inline std::string bounces_in_words(const std::vector<PartVerdict>& bounces,
     const Part* before =
         good.empty() ? nullptr : find_part(right, "bounces-" + good.back());
     const bool surely_first =
-        i == 0 || (before && good.back() == std::to_string(i - 1));
+        i == 0 || (i == 1 && no_light(right, "bounces-0")) ||
+        (before && good.back() == std::to_string(i - 1));
     const Place place = place_of(one, *part, view);
     std::string text =
         good.empty() ? "It is wrong with max_bounces " + number + " already"
