@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -40,8 +42,35 @@ struct PartsView {
 struct Place {
   std::string words;  ///< empty if there is no simple answer
   Tiles tiles;
-  const SeenThing* thing = nullptr;
+  bool pure = false;  ///< the tiles have nothing else
+  std::optional<SeenThing> thing;
 };
+
+/// The tiles in which at least half is this thing.
+inline Tiles tiles_of(const SeenThing& thing, const PartsView& view) {
+  Tiles tiles;
+  for (std::size_t i = 0; i < view.pixels.size(); ++i) {
+    if (2 * thing.pixels[i] >= view.pixels[i]) tiles.push_back(i);
+  }
+  return tiles;
+}
+
+/// The things, and what is one of two materials.
+inline std::vector<SeenThing> things_and_pairs(const PartsView& view) {
+  std::vector<SeenThing> all = view.things;
+  for (const SeenThing& a : view.things) {
+    for (const SeenThing& b : view.things) {
+      if (a.name[0] != '\'' || b.name[0] != '\'' || a.name >= b.name)
+        continue;
+      SeenThing pair{a.name + " or " + b.name, a.pixels, {}};
+      for (std::size_t i = 0; i < b.pixels.size(); ++i) {
+        pair.pixels[i] += b.pixels[i];
+      }
+      all.push_back(pair);
+    }
+  }
+  return all;
+}
 
 /// Whether the tiles that have nothing of the thing are right together.
 inline bool rest_is_right(const PartVerdict& verdict, const Part& right,
@@ -80,10 +109,11 @@ inline Place place_of(const PartVerdict& verdict, const Part& right,
   if (10 * wrong_and_lit >= 9 * place.tiles.size()) {
     const bool whole = place.tiles.size() == verdict.tiles.size();
     place.words = whole ? "everywhere" : "wherever there is light";
+    place.pure = true;
     return place;
   }
   std::size_t fewest = 7 * verdict.tiles.size() / 10;
-  for (const SeenThing& thing : view.things) {
+  for (const SeenThing& thing : things_and_pairs(view)) {
     std::size_t seen = 0, missed = 0, full = 0, full_wrong = 0;
     for (std::size_t i = 0; i < verdict.tiles.size(); ++i) {
       const bool here = thing.pixels[i] > 0;
@@ -98,7 +128,7 @@ inline Place place_of(const PartVerdict& verdict, const Part& right,
       continue;
     }
     fewest = seen;
-    place.thing = &thing;
+    place.thing = thing;
   }
   if (!place.thing) return place;
   place.words = "only where " + place.thing->name + " is seen";
@@ -108,7 +138,8 @@ inline Place place_of(const PartVerdict& verdict, const Part& right,
     if (pixels == view.pixels[i]) full.push_back(i);
     if (2 * pixels >= view.pixels[i]) half.push_back(i);
   }
-  place.tiles = full.size() >= 3 ? full : half;
+  place.pure = full.size() >= 3;
+  place.tiles = place.pure ? full : half;
   return place;
 }
 
@@ -121,7 +152,7 @@ inline std::string coefficient_of(const Part& test, const Part& right,
   std::map<std::string, std::set<int>> values;
   for (const SeenThing& thing : view.things) {
     if (thing.coefficients.empty()) continue;
-    if (place.thing && place.thing != &thing) continue;
+    if (place.thing && place.thing->name != thing.name) continue;
     Tiles full;
     for (const std::size_t i : place.tiles) {
       if (thing.pixels[i] == view.pixels[i]) full.push_back(i);
@@ -162,6 +193,50 @@ inline std::string channels_in_words(const std::array<bool, 3>& channels) {
   return count == 3 ? "in all channels" : text;
 }
 
+/// "0.8 times where 'red' or 'white' is seen, 0.6 times where 'plastic' is
+/// seen", if that is so wherever enough of one material is seen; or empty.
+inline std::string factors_of_things(const PartVerdict& verdict,
+                                     const Part& right, const Part* before,
+                                     const Place& place,
+                                     const PartsView& view) {
+  std::vector<std::pair<Factor, std::string>> groups;
+  for (const SeenThing& thing : view.things) {
+    if (thing.name[0] != '\'') continue;
+    Tiles full;
+    for (const std::size_t i : place.tiles) {
+      if (thing.pixels[i] == view.pixels[i]) full.push_back(i);
+    }
+    if (full.size() < 3) continue;
+    std::array<Factor, 3> factors;
+    for (int c = 0; c < 3; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      if (!verdict.channels[i]) continue;
+      factors[i] = factor_of(verdict.test, right, before, full, c);
+    }
+    const auto factor = common_factor(factors);
+    if (!factor) return "";
+    bool found = false;
+    for (auto& [other, names] : groups) {
+      if (found || std::abs(other.ratio - factor->ratio) >
+                       3 * (other.sigma + factor->sigma) + 0.01) {
+        continue;
+      }
+      names += " or " + thing.name;
+      found = true;
+    }
+    if (!found) groups.emplace_back(*factor, thing.name);
+  }
+  std::string text;
+  for (const auto& [factor, names] : groups) {
+    const bool same = std::abs(factor.ratio - 1) < 3 * factor.sigma + 0.01;
+    text += (text.empty() ? "it is " : ", ") +
+            (same ? "right"
+                  : as_figure(factor.ratio) + " times what it should be") +
+            " where " + names + " is seen";
+  }
+  return groups.size() > 3 ? "" : text;
+}
+
 /// "0.318 times as much as it should be, in all channels (1/pi is 0.318)".
 inline std::string amount_in_words(const PartVerdict& verdict,
                                    const Part& right, const Part* before,
@@ -199,7 +274,11 @@ inline std::string amount_in_words(const PartVerdict& verdict,
   const std::string coefficient =
       coefficient_of(verdict.test, right, before, place, view);
   if (!coefficient.empty()) {
-    return "it is as it should be times " + coefficient + " of what is seen";
+    const bool inverse = coefficient.rfind("1/", 0) == 0;
+    return inverse ? "the factor " + coefficient.substr(2) +
+                         " of what is seen is missing"
+                   : "it has the factor " + coefficient +
+                         " of what is seen once too often";
   }
   if (const auto factor = common_factor(factors)) {
     std::vector<NamedValue> values = view.factors;
@@ -215,6 +294,11 @@ inline std::string amount_in_words(const PartVerdict& verdict,
            " times what it should be, " + where +
            (name.empty() ? "" : " (that is " + name + ")");
   }
+  if (!place.pure) {
+    if (std::abs(test / reference - 1) < 0.03) return "";
+    return "in all tiles together it is " + amount_of(test, reference) +
+           ", " + where;
+  }
   const bool each =
       std::all_of(factors.begin(), factors.end(), [](const Factor& one) {
         return !(one.sigma > 0) || (one.uniform && one.known);
@@ -229,6 +313,9 @@ inline std::string amount_in_words(const PartVerdict& verdict,
     }
     return text + " what it should be";
   }
+  const std::string things =
+      factors_of_things(verdict, right, before, place, view);
+  if (!things.empty()) return things + ", " + where;
   if (some_varies) {
     return "it is " + as_figure(std::max(0.0, least)) + " to " +
            as_figure(most) +

@@ -74,6 +74,14 @@ inline std::string bound_in_words(const std::vector<PartVerdict>& bounces,
                "bound: max_bounces changes nothing.";
 }
 
+/// Whether a part is black.
+inline bool no_light(const std::vector<Part>& parts,
+                     const std::string& name) {
+  const Part* part = find_part(parts, name);
+  return part && std::all_of(part->mean.begin(), part->mean.end(),
+                             [](double x) { return x == 0; });
+}
+
 /// What the pictures with 0, 1, 2, ... bounces say.
 inline std::string bounces_in_words(const std::vector<PartVerdict>& bounces,
                                     const std::vector<Part>& right,
@@ -91,19 +99,26 @@ inline std::string bounces_in_words(const std::vector<PartVerdict>& bounces,
     }
     const Part* part = find_part(right, one.name);
     const Part* before =
-        i > 0 ? find_part(right, bounces_name(i - 1)) : nullptr;
+        good.empty() ? nullptr : find_part(right, "bounces-" + good.back());
+    const bool surely_first =
+        i == 0 || (i == 1 && no_light(right, "bounces-0")) ||
+        (before && good.back() == std::to_string(i - 1));
     const Place place = place_of(one, *part, view);
     std::string text =
         good.empty() ? "It is wrong with max_bounces " + number + " already"
-                     : "With max_bounces " + listed(good) +
-                           " it is right, and wrong from " + number + " on";
+        : surely_first
+            ? "With max_bounces " + listed(good) +
+                  " it is right, and wrong from " + number + " on"
+            : "With max_bounces " + listed(good) +
+                  " it is right, and wrong for sure with " + number;
     if (!place.words.empty()) text += ", " + place.words;
     const std::string amount =
         amount_in_words(one, *part, before, place, view);
     if (amount.empty()) return text + ".";
-    text += i == 0   ? "; the light of the lamps themselves: "
-            : i == 1 ? "; the light of one bounce: "
-                     : "; the light of " + number + " bounces: ";
+    text += i == 0          ? "; the light of the lamps themselves: "
+            : !surely_first ? "; what is added: "
+            : i == 1        ? "; the light of one bounce: "
+                            : "; the light of " + number + " bounces: ";
     return text + amount + ".";
   }
   if (good.empty()) return "";

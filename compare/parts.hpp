@@ -50,8 +50,10 @@ inline Part part_of(const RenderResult& result, const std::string& name) {
           std::move(tiles.variance)};
 }
 
-/// One picture of two renders with as many samples each.
+/// One picture of two renders with as many samples each, or of one that is
+/// given twice.
 inline Part joined(const Part& a, const Part& b) {
+  if (&a == &b || a.mean == b.mean) return a;
   Part result = a;
   result.samples += b.samples;
   for (std::size_t i = 0; i < a.mean.size(); ++i) {
@@ -185,12 +187,13 @@ struct PartVerdict {
   Part test;                       ///< all that was rendered of it
 };
 
-/// Whether the light that a part adds to the one before it, over the whole
-/// image and all channels, is known to a tenth and right to that.
+/// Whether the light that a part adds to the one before it, over some tiles
+/// and all channels, is known to a tenth and right to that. No light at all is
+/// neither.
 inline bool surely_right(const Part& test, const Part& right,
-                         const Part* before) {
+                         const Part* before, const Tiles& tiles) {
   double added = 0, difference = 0, sigma = 0;
-  for (std::size_t tile = 0; tile < right.tile_count(); ++tile) {
+  for (const std::size_t tile : tiles) {
     double deviation = 0;
     for (int c = 0; c < 3; ++c) {
       const double b = before ? before->mean_of(tile, c) : 0;
@@ -205,10 +208,36 @@ inline bool surely_right(const Part& test, const Part& right,
          std::abs(difference) + 3 * std::sqrt(sigma) < 0.1 * added;
 }
 
+/// The same for the image and for each of the things in it, but for those in
+/// which hardly any light is added.
+inline bool surely_right(const Part& test, const Part& right,
+                         const Part* before,
+                         const std::vector<Tiles>& things) {
+  Tiles image;
+  const auto added = [&](const Tiles& tiles) {
+    double sum = 0;
+    for (const std::size_t tile : tiles) {
+      for (int c = 0; c < 3; ++c) {
+        sum +=
+            right.mean_of(tile, c) - (before ? before->mean_of(tile, c) : 0);
+      }
+    }
+    return sum;
+  };
+  for (std::size_t i = 0; i < right.tile_count(); ++i) image.push_back(i);
+  return surely_right(test, right, before, image) &&
+         std::all_of(things.begin(), things.end(), [&](const Tiles& thing) {
+           return thing.empty() || added(thing) < 2e-3 * added(image) ||
+                  surely_right(test, right, before, thing);
+         });
+}
+
 /// Two renders of a part against the right one. `before` is the right part
-/// that this one adds light to, or null.
+/// that this one adds light to, or null, and `things` the tiles of each thing
+/// that is seen.
 inline PartVerdict judge_part(const Part& first, const Part& second,
                               const Part& right, const Part* before,
+                              const std::vector<Tiles>& things,
                               std::size_t columns) {
   PartVerdict verdict;
   verdict.name = right.name;
@@ -225,7 +254,7 @@ inline PartVerdict judge_part(const Part& first, const Part& second,
     verdict.channels[i % 3] = true;
   }
   if (!verdict.wrong) {
-    verdict.right = surely_right(verdict.test, right, before);
+    verdict.right = surely_right(verdict.test, right, before, things);
     return verdict;
   }
   for (std::size_t i = 0; i < 3 * tiles; ++i) {

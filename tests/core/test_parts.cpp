@@ -78,10 +78,13 @@ std::string story(
     const Mean good = [i](int x, int y) { return light(i, x, y); };
     const Mean bad = [&](int x, int y) { return mistake(i, x, y); };
     right.push_back(part_of(noise(good, 16384, 99), name));
-    verdicts.push_back(
-        judge_part(part_of(noise(bad, 1024, seed), name),
-                   part_of(noise(bad, 1024, seed + 1), name), right.back(),
-                   i > 0 ? &right[right.size() - 2] : nullptr, 8));
+    verdicts.push_back(judge_part(part_of(noise(bad, 1024, seed), name),
+                                  part_of(noise(bad, 1024, seed + 1), name),
+                                  right.back(),
+                                  i > 0 ? &right[right.size() - 2] : nullptr,
+                                  {tiles_of(view().things[0], view()),
+                                   tiles_of(view().things[1], view())},
+                                  8));
   }
   return tell_parts(verdicts, right, view());
 }
@@ -159,7 +162,37 @@ TEST_CASE("parts: no thing is blamed for what is wrong beside it too") {
   CAPTURE(text);
   CHECK_FALSE(contains(text, "seen"));
   CHECK_FALSE(contains(text, "everywhere"));
+  CHECK(contains(text, "in all tiles together it is 23 % too bright"));
+}
+
+TEST_CASE("parts: a factor for each thing") {
+  const std::string text = story([](int bounces, int x, int y) {
+    return light(bounces, x, y) * (on_ball(x, y) ? 0.5f : 0.7f);
+  });
+  CAPTURE(text);
+  CHECK(contains(text,
+                 "it is 0.5 times what it should be where 'glass' is "
+                 "seen, 0.7 times what it should be where 'white' is "
+                 "seen, in all channels"));
+}
+
+TEST_CASE("parts: a factor that changes from tile to tile") {
+  const std::string text = story([](int bounces, int x, int y) {
+    return light(bounces, x, y) * (1.2f + static_cast<float>(x) / 16);
+  });
+  CAPTURE(text);
+  CHECK(contains(text, "everywhere"));
   CHECK(contains(text, "by no constant factor"));
+}
+
+TEST_CASE("parts: a picture is not right while a thing in it may be wrong") {
+  const std::string text = story([](int bounces, int x, int y) {
+    const Vec3 all = light(bounces, x, y);
+    const bool wrong = bounces == 2 && x >= 8 && x < 12 && y >= 8 && y < 24;
+    return wrong ? all - 0.6f * (all - light(1, x, y)) : all;
+  });
+  CAPTURE(text);
+  CHECK_FALSE(contains(text, "2 and 3 it is right"));
 }
 
 TEST_CASE("parts: a coefficient too many, of each thing its own") {
@@ -168,7 +201,8 @@ TEST_CASE("parts: a coefficient too many, of each thing its own") {
     return light(bounces, x, y) * kd;
   });
   CAPTURE(text);
-  CHECK(contains(text, "as it should be times kd of what is seen"));
+  CHECK(
+      contains(text, "it has the factor kd of what is seen once too often"));
 }
 
 TEST_CASE("parts: light that is missing") {
