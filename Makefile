@@ -15,7 +15,7 @@ scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers mistakes goldens \
-  signatures diff null-test bench-compare setup-bench format clean $(stages) $(addprefix test-,$(stages))
+  signatures mutants diff null-test bench-compare setup-bench format clean $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
 # Where the Python programs look for what was built.
@@ -39,6 +39,7 @@ help:
 	@echo "make signatures    remake what failing goldens are compared with"
 	@echo "make null-test     how often do the goldens reject a right program?"
 	@echo "make mistakes      put known mistakes into the stages: what do the tests catch?"
+	@echo "make mutants       make every small change to the stages: what do the tests notice?"
 	@echo "make bench         measure what everything costs (BASE=old.json compares)"
 	@echo "make bench-peers   time stage 4 and Mitsuba 3 side by side"
 	@echo "make book          weave the book: $(BUILD)/book/index.html"
@@ -96,6 +97,12 @@ mistakes: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS)
 	@python3 -m tests.mistakes.mistakes -j $(JOBS) $(MISTAKES)
 
+# Half an hour at first; later runs are faster. MUTANTS gives the program's
+# options: MUTANTS="--stage 2".
+mutants: setup $(BUILD)/CMakeCache.txt $(BUILD)/mutants-venv/made
+	@cmake --build $(BUILD) -j $(JOBS) --target test_support test_main lightwalk_openimageio
+	@$(BUILD)/mutants-venv/bin/python -m tests.mutants.mutants -j $(JOBS) $(MUTANTS)
+
 # What the known mistakes look like, so that a failing golden can be told which
 # of them it resembles: minutes.
 signatures: setup $(BUILD)/CMakeCache.txt
@@ -115,8 +122,11 @@ bench: build
 	  > $(BUILD)/efficiency.md
 	@cat $(BUILD)/efficiency.md
 
-# Peers and comparisons come from PyPI, in an environment of their own.
+# Peers and comparisons, and what reads C++, come from PyPI, in environments of
+# their own.
 $(BUILD)/bench-venv/made: tools/bench/requirements.txt
+$(BUILD)/mutants-venv/made: tests/mutants/requirements.txt
+$(BUILD)/bench-venv/made $(BUILD)/mutants-venv/made:
 	@python3 -m venv $(@D)
 	@$(@D)/bin/python -m pip install --quiet -r $<
 	@touch $@
