@@ -105,6 +105,7 @@ class Walk:
         self.header = str(header)
         self.source = source
         self.mutants = []
+        self.functions = []  # where each begins
         self.function = ""
         self.scopes = [[]]  # (name, type) of what may be named, innermost last
         self.result = ""  # what the function returns
@@ -188,6 +189,8 @@ class Walk:
 
     def in_function(self, cursor):
         self.function = cursor.spelling
+        if cursor.kind != Kind.CONSTRUCTOR:
+            self.functions.append(span(cursor)[0])
         self.result = type_name_of(cursor.result_type)
         self.by_reference = cursor.result_type.kind == TypeKind.LVALUEREFERENCE
         self.scopes.append([(p.spelling, type_name(p)) for p in cursor.get_arguments()])
@@ -645,7 +648,7 @@ def squeeze(text):
 
 
 def all_mutants(header, arguments):
-    """Every mutant of a stage's header, each changed text once."""
+    """Every mutant of a stage's header, each changed text once; and where its functions begin."""
     source = header.read_bytes()
     walk = Walk(header, source)
     walk.declarations(parse(header, arguments).cursor)
@@ -662,4 +665,4 @@ def all_mutants(header, arguments):
         if one.before != one.after and key not in seen:
             seen.add(key)
             result.append(one)
-    return result
+    return result, walk.functions

@@ -84,7 +84,7 @@ class Stage:
         self.key = self.suite.key(self.source.decode())
         self.folder = FOLDER / f"stage{number}"
         self.folder.mkdir(parents=True, exist_ok=True)
-        found = edits.all_mutants(self.header, include_options(self.suite))
+        found, self.functions = edits.all_mutants(self.header, include_options(self.suite))
         self.mutants = dict(enumerate(found, 1))
         self.names = self.name_all()
         self.saved = self.folder / "outcomes.json"
@@ -120,9 +120,14 @@ class Stage:
 
     def program(self):
         """Builds the suite with all mutants that compile. Returns its path."""
-        program, stamp = self.folder / self.suite.target, self.folder / "program.key"
-        if program.exists() and stamp.exists() and stamp.read_text() == self.key + repr(self.mutants):
-            return program
+        program, stamp = self.folder / self.suite.target, self.folder / "program.json"
+        made_of = [self.key, list(self.names.values())]
+        if program.exists() and stamp.exists():
+            *made, bad = json.loads(stamp.read_text())
+            if made == made_of:
+                for number in bad:
+                    self.keep(number, Outcome(self.key, "does not compile"))
+                return program
         given = catalogue.precompile(self.suite, self.folder / "given")
         overlay = self.folder / self.header.relative_to(ROOT)
         overlay.parent.mkdir(parents=True, exist_ok=True)
@@ -130,30 +135,23 @@ class Stage:
         source.write_text(self.suite.whole_source())
         options = [f"-I{self.folder}", "-include", str(given), "-ffp-contract=off"]
         command = self.suite.compile_command(source, target, options)
-        for number in self.mutants:
-            known = self.outcome(number)
-            if known and known.state == "does not compile":
-                known.key = self.key
+        bad = {n for n in self.mutants if self.outcome(n) and self.outcome(n).state == "does not compile"}
         while True:
-            chosen = {
-                number: one
-                for number, one in self.mutants.items()
-                if not (self.outcome(number) and self.outcome(number).state == "does not compile")
-            }
-            text = schema.with_choices(self.source, chosen)
+            chosen = {number: one for number, one in self.mutants.items() if number not in bad}
+            text = schema.with_choices(self.source, chosen, self.functions)
             overlay.write_text(text)
-            bad = self.compile_errors(command, overlay, text)
-            if not bad:
+            more = self.compile_errors(command, overlay, text)
+            if not more:
                 break
-            for number in bad:
-                self.keep(number, Outcome(self.key, "does not compile"))
-            self.save()
+            bad |= more
+        for number in bad:
+            self.keep(number, Outcome(self.key, "does not compile"))
         catalogue.run(command, "does not compile")
         place = self.suite.link.index("-o")
         link = [*self.suite.link[:place], str(target), "-o", str(program), *self.suite.link[place + 2 :]]
         catalogue.run(link, "does not link")
         target.unlink()
-        stamp.write_text(self.key + repr(self.mutants))
+        stamp.write_text(json.dumps([*made_of, sorted(bad)]))
         return program
 
     @staticmethod
@@ -179,7 +177,7 @@ class Stage:
         environment = os.environ | paths | {"LIGHTWALK_MUTANT": str(number)}
         try:
             done = subprocess.run(
-                ["nice", str(program), "-r=xml", *options],
+                [program, "-r=xml", *options],
                 capture_output=True,
                 text=True,
                 errors="replace",

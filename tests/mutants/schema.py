@@ -26,13 +26,13 @@ inline const int chosen = [] {
 class Place:
     """A range of the source, what may stand there, and the places within."""
 
-    def __init__(self, start, end, statement):
-        self.start, self.end, self.statement = start, end, statement
+    def __init__(self, start, end, statement, before=""):
+        self.start, self.end, self.statement, self.before = start, end, statement, before
         self.choices = []  # (number, text)
         self.inner = []
 
     def text(self, source):
-        text, at = "", self.start
+        text, at = self.before, self.start
         for one in sorted(self.inner, key=lambda place: place.start):
             text += source[at : one.start].decode() + one.text(source)
             at = one.end
@@ -46,8 +46,12 @@ class Place:
         return f"({lines}\n({text}))"
 
 
-def with_choices(source, mutants):
-    """The header's text with these mutants in it, {number: Mutant}."""
+def with_choices(source, mutants, functions):
+    """The header's text with these mutants in it, {number: Mutant}.
+
+    Its functions, which begin at `functions`, are not inlined: that many
+    branches in each test that calls them take minutes to compile.
+    """
     places = {}
     for number, mutant in mutants.items():
         for start, end, new in mutant.edits:
@@ -55,6 +59,7 @@ def with_choices(source, mutants):
             place = places.setdefault(key, Place(start, end, mutant.statement))
             place.choices.append((number, " ".join(re.sub(r"//.*", "", new).split())))
     root = Place(0, len(source), False)
+    root.inner = [Place(start, start, False, "[[gnu::noinline]] ") for start in functions]
     stack = [root]
     for key in sorted(places):
         place = places[key]
