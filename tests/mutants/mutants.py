@@ -22,6 +22,7 @@ import concurrent.futures
 import dataclasses
 import html
 import json
+import math
 import os
 import re
 import resource
@@ -38,11 +39,12 @@ from tests.mutants import edits, schema
 FOLDER = BUILD / "mutants"
 HERE = Path(__file__).parent
 
-# Seconds of processor time for one run of a suite; a right one needs a fifth.
-TIME_LIMIT = 20
+# How many times as much processor time as without a change, and how many
+# seconds at least, a run may take before it is said not to end.
+TIMES_AS_LONG, AT_LEAST = 8, 2
 
-# Seconds; tests that take longer are run after the others.
-SLOW = 0.03
+# The quickest tests, which take this share of the suite's time, are run first.
+QUICK_SHARE = 0.05
 
 KINDS = ("units", "analytic scenes", "relations", "golden images", "crash", "time")
 
@@ -91,7 +93,7 @@ class Stage:
         self.outcomes = {}
         self.lock = threading.Lock()
         self.kind_of = {}  # of tests, by their names
-        self.slow = ""  # the tests that come last, as a filter of doctest's
+        self.phases = []  # (doctest's options, seconds allowed) of each run
         if self.saved.exists():
             self.outcomes = {name: Outcome(**one) for name, one in json.loads(self.saved.read_text()).items()}
 
@@ -114,7 +116,9 @@ class Stage:
     def save(self):
         with self.lock:
             rows = {name: dataclasses.asdict(self.outcomes[name]) for name in self.names.values() if name in self.outcomes}
-        self.saved.write_text(json.dumps(rows, indent=1))
+        whole = self.saved.with_suffix(".new")
+        whole.write_text(json.dumps(rows, indent=1))
+        whole.replace(self.saved)
 
     # The program.
 
@@ -171,7 +175,7 @@ class Stage:
 
     # Its runs.
 
-    def run(self, program, number, options=()):
+    def run(self, program, number, options=(), seconds=120):
         """(failed tests, how it ended, the report)."""
         paths = {name: str(BUILD) for name in ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")}
         environment = os.environ | paths | {"LIGHTWALK_MUTANT": str(number)}
@@ -181,8 +185,8 @@ class Stage:
                 capture_output=True,
                 text=True,
                 errors="replace",
-                preexec_fn=limit_time,
-                timeout=10 * TIME_LIMIT,
+                preexec_fn=lambda: limit_time(seconds),
+                timeout=30 * seconds,
                 cwd=self.folder,
                 env=environment,
             )
@@ -201,7 +205,7 @@ class Stage:
         failed, end, report = self.run(program, 0, ["--duration=true"])
         if failed or end:
             raise Failure(f"stage {self.number} fails without a change: {end} {'; '.join(failed)}")
-        suite, slow = "", []
+        suite, durations = "", []
         for part in re.split(r"(?=<Test(?:Suite|Case)\b)", report):
             name = re.match(r'<\w+ name="([^"]*)"', part)
             name = html.unescape(name[1]) if name else ""
@@ -209,24 +213,29 @@ class Stage:
                 suite = name
             elif part.startswith("<TestCase"):
                 self.kind_of[name] = suite
-                seconds = re.search(r'duration="([^"]*)"', part)
-                if seconds and float(seconds[1]) > SLOW:
-                    slow.append(filter_text(name))
-        self.slow = ",".join(slow)
+                durations.append((float(re.search(r'duration="([^"]*)"', part)[1]), name))
+        quick, spent = [], 0.0
+        for seconds, name in sorted(durations):
+            spent += seconds
+            if spent > QUICK_SHARE * sum(one for one, _ in durations):
+                break
+            quick.append(filter_text(name))
+        for option in ("--test-case", "--test-case-exclude"):
+            options = [f"{option}={','.join(quick)}"]
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            self.run(program, 0, options)
+            seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+            self.phases.append((options, math.ceil(AT_LEAST + TIMES_AS_LONG * seconds)))
 
     def judge(self, program, number):
         known = self.outcome(number)
         if known and known.key == self.key:
             return known
-        runs = []
+        runs = list(self.phases)
         if known and known.state == "killed" and known.test:
-            runs.append([f"--test-case={filter_text(known.test)}"])
-        if self.slow:
-            runs += [[f"--test-case-exclude={self.slow}"], [f"--test-case={self.slow}"]]
-        else:
-            runs.append([])
-        for options in runs:
-            outcome = self.result(*self.run(program, number, ["--abort-after=1", *options]))
+            runs.insert(0, ([f"--test-case={filter_text(known.test)}"], self.phases[-1][1]))
+        for options, seconds in runs:
+            outcome = self.result(*self.run(program, number, ["--abort-after=1", *options], seconds))
             if outcome.state == "killed":
                 break
         self.keep(number, outcome)
@@ -245,8 +254,8 @@ def filter_text(name):
     return re.sub(r"[,\\]", "*", name)
 
 
-def limit_time():
-    resource.setrlimit(resource.RLIMIT_CPU, (TIME_LIMIT, TIME_LIMIT + 1))
+def limit_time(seconds):
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
