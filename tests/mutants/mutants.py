@@ -43,8 +43,9 @@ HERE = Path(__file__).parent
 # seconds at least, a run may take before it is said not to end.
 TIMES_AS_LONG, AT_LEAST = 8, 2
 
-# The quickest tests, which take this share of the suite's time, are run first.
-QUICK_SHARE = 0.05
+# The quickest tests, which together take this share of the suite's time, are
+# run first, then more of them, and the slow ones last.
+SHARES = (0.05, 0.2, 0.5, 1)
 
 KINDS = ("units", "analytic scenes", "relations", "golden images", "crash", "time")
 
@@ -214,14 +215,14 @@ class Stage:
             elif part.startswith("<TestCase"):
                 self.kind_of[name] = suite
                 durations.append((float(re.search(r'duration="([^"]*)"', part)[1]), name))
-        quick, spent = [], 0.0
+        whole = sum(seconds for seconds, _ in durations)
+        phases, spent = [[] for _ in SHARES], 0.0
         for seconds, name in sorted(durations):
             spent += seconds
-            if spent > QUICK_SHARE * sum(one for one, _ in durations):
-                break
-            quick.append(filter_text(name))
-        for option in ("--test-case", "--test-case-exclude"):
-            options = [f"{option}={','.join(quick)}"]
+            place = next(i for i, share in enumerate(SHARES) if spent <= share * whole or share == 1)
+            phases[place].append(filter_text(name))
+        for names in filter(None, phases):
+            options = [f"--test-case={','.join(names)}"]
             before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
             self.run(program, 0, options)
             seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
