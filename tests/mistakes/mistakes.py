@@ -59,6 +59,7 @@ class Result:
     caught: list  # names of the tests that failed, or hung or crashed
     end: str  # "", "time limit" or "crash"
     error: str  # why there is no result
+    noise: list = dataclasses.field(default_factory=list)  # factors that the suite has noted
 
 
 def read_mistakes(path):
@@ -260,6 +261,12 @@ def failed_tests(report):
     return caught
 
 
+def noted_noise(report):
+    """By how much the suite says that variances differ from a right program's."""
+    factors = re.findall(r"([0-9][0-9.e+-]*)\s+times the (?:noise|golden's)", html.unescape(report))
+    return sorted(float(factor) for factor in factors)
+
+
 def limit_time():
     """In the child: a signal after so many seconds of processor time."""
     resource.setrlimit(resource.RLIMIT_CPU, (TIME_LIMIT, TIME_LIMIT + 1))
@@ -267,7 +274,7 @@ def limit_time():
 
 
 def run_suite(program):
-    """The tests that failed, and how the program ended."""
+    """The tests that failed, how the program ended, and the noise that was noted."""
     # The suite loads the library that reads pictures from the build folder.
     paths = {name: str(BUILD) for name in ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")}
     try:
@@ -287,7 +294,7 @@ def run_suite(program):
     end = "" if code in (0, 1) else "crash"
     if code in (-24, -9):  # SIGXCPU
         end = "time limit"
-    return failed_tests(report), end
+    return failed_tests(report), end, noted_noise(report)
 
 
 def try_mistake(mistake, suite, given, folder):
@@ -316,7 +323,7 @@ def try_mistake(mistake, suite, given, folder):
         program = folder / suite.target
         place = suite.link.index("-o")
         run(suite.link[:place] + [str(target), "-o", str(program)] + suite.link[place + 2 :], "does not link")
-        result.caught, result.end = run_suite(program)
+        result.caught, result.end, result.noise = run_suite(program)
         program.unlink()
         target.unlink()
     except Failure as failure:
@@ -333,6 +340,9 @@ def judge(mistake, result):
     if mistake.verdict == "pass":
         if caught:
             return "wrongly caught", "is no mistake, and was caught by: " + "; ".join(result.caught)
+        if result.noise:
+            low, high = result.noise[0], result.noise[-1]
+            return f"passes, with {low:.1f} to {high:.1f} times the noise", ""
         return "passes, as it should", ""
     if not caught:
         return "NOT CAUGHT", "no test catches it"
