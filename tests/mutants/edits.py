@@ -139,11 +139,7 @@ class Walk:
 
     def operator(self, cursor):
         """(symbol, operands) of a built-in or overloaded operator, or None."""
-        if cursor.kind in (
-            Kind.BINARY_OPERATOR,
-            Kind.COMPOUND_ASSIGNMENT_OPERATOR,
-            Kind.UNARY_OPERATOR,
-        ):
+        if cursor.kind in (Kind.BINARY_OPERATOR, Kind.COMPOUND_ASSIGNMENT_OPERATOR, Kind.UNARY_OPERATOR):
             operands = expressions(cursor)
         elif cursor.kind == Kind.CALL_EXPR and re.match(r"operator\W", cursor.spelling):
             operands = list(cursor.get_arguments())
@@ -305,7 +301,9 @@ class Walk:
         start, end = span(body)
         text = self.source[start:end].decode()
         first_only = text[:-1].rstrip() + "\nbreak;\n}"
-        self.mutants.append(Mutant([(start, end, first_only)], "loop left after a round", self.function, True))
+        self.mutants.append(
+            Mutant([(start, end, first_only)], "loop left after a round", self.function, True)
+        )
         self.loop_kind = outer
         self.scopes.pop()
 

@@ -116,7 +116,11 @@ class Stage:
 
     def save(self):
         with self.lock:
-            rows = {name: dataclasses.asdict(self.outcomes[name]) for name in self.names.values() if name in self.outcomes}
+            rows = {
+                name: dataclasses.asdict(self.outcomes[name])
+                for name in self.names.values()
+                if name in self.outcomes
+            }
         whole = self.saved.with_suffix(".new")
         whole.write_text(json.dumps(rows, indent=1))
         whole.replace(self.saved)
@@ -291,7 +295,9 @@ def run_stage(stage, jobs):
     program = stage.program()
     stage.check_unchanged(program)
     todo = [
-        number for number in stage.mutants if not (stage.outcome(number) and stage.outcome(number).key == stage.key)
+        number
+        for number in stage.mutants
+        if not (stage.outcome(number) and stage.outcome(number).key == stage.key)
     ]
     print(f"stage {stage.number}: {len(stage.mutants)} mutants, {len(todo)} to run", flush=True)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -329,7 +335,9 @@ def counts_and_errors(stage, equivalents):
         if entry and outcome.state == "alive":
             word = "equivalent"
         elif entry:
-            errors.append(f"stage {stage.number}: listed as equivalent, and {outcome.state} ({outcome.kind} {outcome.test}): {stage.names[number]}")
+            errors.append(
+                f"stage {stage.number}: listed as equivalent, and {outcome.state} ({outcome.kind} {outcome.test}): {stage.names[number]}"
+            )
         if word == "alive":
             line = stage.source[: mutant.edits[0][0]].count(b"\n") + 1
             alive.append((line, mutant))
@@ -362,7 +370,9 @@ def main():
             errors += wrong
             name = stage.header.relative_to(ROOT)
             for line, mutant in alive:
-                report.append(f"{name}:{line}: {mutant.function}: {mutant.what}\n    {mutant.before}\n    {mutant.after}\n")
+                report.append(
+                    f"{name}:{line}: {mutant.function}: {mutant.what}\n    {mutant.before}\n    {mutant.after}\n"
+                )
     except (Failure, OSError, subprocess.CalledProcessError) as failure:
         sys.exit(f"mutants: {failure}")
     for entry in equivalents.unused(numbers):

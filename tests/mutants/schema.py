@@ -76,4 +76,8 @@ def with_choices(source, mutants, functions):
 def numbers_on(text, line):
     """The mutants that begin on this line of a text, counted from 1."""
     lines = text.split("\n")
-    return [int(n) for n in re.findall(r"LIGHTWALK_MUTANT\((\d+)\)", lines[line - 1])] if line <= len(lines) else []
+    return (
+        [int(n) for n in re.findall(r"LIGHTWALK_MUTANT\((\d+)\)", lines[line - 1])]
+        if line <= len(lines)
+        else []
+    )

@@ -55,7 +55,8 @@ struct Lit {
 
 }  // namespace
 
-TEST_CASE("a point light at the origin, in a wall, lights what is before it") {
+TEST_CASE(
+    "a point light at the origin, in a wall, lights what is before it") {
   Random random(7, 0, 0);
   for (int i = 0; i < 20; ++i) {
     CAPTURE(i);
