@@ -4,7 +4,9 @@
 # What people type is text: make must not run what a file's name says. It goes
 # to programs by the environment, and there in quotes.
 SEEDS ?= 200
-typed := A B SCENE OPTIONS MISTAKES BASE SEEDS
+SECONDS ?= 60
+FUZZ_SECONDS := $(value SECONDS)# a shell may count its own SECONDS
+typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS FUZZ_SECONDS
 $(foreach name,$(typed),$(eval override $(name) := $$(value $(name))))
 export $(typed)
 
@@ -32,8 +34,8 @@ scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers mistakes goldens \
-  signatures diff null-test bench-compare setup-bench setup-fuzz fuzz format \
-  clean $(stages) $(addprefix test-,$(stages))
+  signatures mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
+  format clean $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
 # Where the Python programs look for what was built.
@@ -57,6 +59,7 @@ help:
 	@echo "make signatures    remake what failing goldens are compared with"
 	@echo "make null-test     how often do the goldens reject a right program?"
 	@echo "make mistakes      put known mistakes into the stages: what do the tests catch?"
+	@echo "make mutants       make every small change to the stages: what do the tests notice?"
 	@echo "make fuzz          feed the readers with what nobody would write (SECONDS=60)"
 	@echo "make bench         measure what everything costs (BASE=old.json compares)"
 	@echo "make bench-peers   time stage 4 and Mitsuba 3 side by side"
@@ -118,7 +121,6 @@ mistakes: setup $(BUILD)/CMakeCache.txt
 # Feeds readers, geometry and comparison with what nobody would write, for
 # SECONDS in all; HARNESS names some of tests/fuzz/. Built by Clang, in a
 # folder of its own; FUZZ_CXX names another one.
-SECONDS ?= 60
 fuzz_cxx = $(or $(FUZZ_CXX),$(firstword $(wildcard $(addsuffix \
   /opt/llvm/bin/clang++,/opt/homebrew /usr/local)) clang++))
 
@@ -136,7 +138,13 @@ $(BUILD)/fuzz/CMakeCache.txt: | setup-fuzz
 fuzz: setup-fuzz $(BUILD)/fuzz/CMakeCache.txt
 	@cmake --build $(BUILD)/fuzz -j $(JOBS) --target harnesses > $(BUILD)/fuzz/build.log 2>&1 \
 	  || { cat $(BUILD)/fuzz/build.log; exit 1; }
-	@python3 -m tests.fuzz.fuzz -j $(JOBS) --seconds "$(SECONDS)" $(HARNESS)
+	@set -f; python3 -m tests.fuzz.fuzz -j $(JOBS) --seconds "$$FUZZ_SECONDS" $$HARNESS
+
+# Half an hour at first; later runs are faster. MUTANTS gives the program's
+# options: MUTANTS="--stage 2".
+mutants: setup $(BUILD)/CMakeCache.txt $(BUILD)/mutants-venv/made
+	@cmake --build $(BUILD) -j $(JOBS) --target test_support test_main lightwalk_openimageio
+	@set -f; $(BUILD)/mutants-venv/bin/python -m tests.mutants.mutants -j $(JOBS) $$MUTANTS
 
 # What the known mistakes look like, so that a failing golden can be told which
 # of them it resembles: minutes.
@@ -157,8 +165,11 @@ bench: build
 	  > $(BUILD)/efficiency.md
 	@cat $(BUILD)/efficiency.md
 
-# Peers and comparisons come from PyPI, in an environment of their own.
+# Peers and comparisons, and what reads C++, come from PyPI, in environments of
+# their own.
 $(BUILD)/bench-venv/made: tools/bench/requirements.txt
+$(BUILD)/mutants-venv/made: tests/mutants/requirements.txt
+$(BUILD)/bench-venv/made $(BUILD)/mutants-venv/made:
 	@python3 -m venv $(@D)
 	@$(@D)/bin/python -m pip install --quiet -r $<
 	@touch $@

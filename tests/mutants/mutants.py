@@ -1,0 +1,391 @@
+"""Makes every small change to every stage, and sees which the tests notice.
+
+    make mutants                        all stages
+    make mutants MUTANTS="--stage 2"    one of them
+
+tests/mistakes has the mistakes that somebody thought of; here are those that
+nobody did. A change that no test notices, a mutant that is *alive*, is either
+a hole in the tests or no mistake at all: equivalent.toml lists the latter with
+the reason. What ends the program with 1:
+
+- a mutant is alive that equivalent.toml does not have;
+- an entry of equivalent.toml fits no mutant, or one that a test notices;
+- the suite fails without any change.
+
+Results are kept in build/mutants/: what has not changed since is not run
+again, and after a change of the tests each mutant is first shown to the test
+that noticed it before.
+"""
+
+import argparse
+import concurrent.futures
+import dataclasses
+import html
+import json
+import math
+import os
+import re
+import resource
+import subprocess
+import sys
+import threading
+import tomllib
+from pathlib import Path
+
+from compare.stages import BUILD, ROOT, Failure, stage_headers
+from tests.mistakes import mistakes as catalogue
+from tests.mutants import edits, schema
+
+FOLDER = BUILD / "mutants"
+HERE = Path(__file__).parent
+
+# How many times as much processor time as without a change, and how many
+# seconds at least, a run may take before it is said not to end.
+TIMES_AS_LONG, AT_LEAST = 8, 2
+
+# The quickest tests, which together take this share of the suite's time, are
+# run first, then more of them, and the slow ones last.
+SHARES = (0.05, 0.2, 0.5, 1)
+
+KINDS = ("units", "analytic scenes", "relations", "golden images", "crash", "time")
+
+
+@dataclasses.dataclass
+class Outcome:
+    """What became of a mutant: killed (by a test of a kind) or alive, ..."""
+
+    key: str  # of the suite that was run
+    state: str  # "killed", "alive" or "does not compile"
+    kind: str = ""
+    test: str = ""
+
+
+def include_options(suite):
+    """What libclang has to know of how the suite is compiled."""
+    words = next(iter(suite.compile.values()))
+    first = next(place for place, word in enumerate(words) if word.startswith("-"))
+    own = subprocess.run(
+        [*words[:first], "-print-file-name=include"], check=True, capture_output=True, text=True
+    ).stdout.strip()
+    options = ["-isystem", own]
+    for word, following in zip(words, words[1:] + [""]):
+        if word in ("-isystem", "-isysroot", "-I"):
+            options += [word, following]
+        elif re.match(r"-I.|-D|-std", word):
+            options.append(word)
+    return options
+
+
+class Stage:
+    """A stage's mutants, and the program that has them all."""
+
+    def __init__(self, number):
+        self.number = number
+        self.suite = catalogue.Suite(number)
+        self.header = self.suite.header
+        self.source = self.header.read_bytes()
+        self.key = self.suite.key(self.source.decode())
+        self.folder = FOLDER / f"stage{number}"
+        self.folder.mkdir(parents=True, exist_ok=True)
+        found, self.functions = edits.all_mutants(self.header, include_options(self.suite))
+        self.mutants = dict(enumerate(found, 1))
+        self.names = self.name_all()
+        self.saved = self.folder / "outcomes.json"
+        self.outcomes = {}
+        self.lock = threading.Lock()
+        self.kind_of = {}  # of tests, by their names
+        self.phases = []  # (doctest's options, seconds allowed) of each run
+        if self.saved.exists():
+            self.outcomes = {name: Outcome(**one) for name, one in json.loads(self.saved.read_text()).items()}
+
+    def name_all(self):
+        """A name for each mutant that does not depend on the lines above it."""
+        counts, names = {}, {}
+        for number, one in self.mutants.items():
+            name = f"{one.function}: {one.before} -> {one.after}"
+            counts[name] = counts.get(name, 0) + 1
+            names[number] = name if counts[name] == 1 else f"{name} #{counts[name]}"
+        return names
+
+    def outcome(self, number):
+        return self.outcomes.get(self.names[number])
+
+    def keep(self, number, outcome):
+        with self.lock:
+            self.outcomes[self.names[number]] = outcome
+
+    def save(self):
+        with self.lock:
+            rows = {
+                name: dataclasses.asdict(self.outcomes[name])
+                for name in self.names.values()
+                if name in self.outcomes
+            }
+        whole = self.saved.with_suffix(".new")
+        whole.write_text(json.dumps(rows, indent=1))
+        whole.replace(self.saved)
+
+    # The program.
+
+    def program(self):
+        """Builds the suite with all mutants that compile. Returns its path."""
+        program, stamp = self.folder / self.suite.target, self.folder / "program.json"
+        made_of = [self.key, list(self.names.values())]
+        if program.exists() and stamp.exists():
+            *made, bad = json.loads(stamp.read_text())
+            if made == made_of:
+                for number in bad:
+                    self.keep(number, Outcome(self.key, "does not compile"))
+                return program
+        given = catalogue.precompile(self.suite, self.folder / "given")
+        overlay = self.folder / self.header.relative_to(ROOT)
+        overlay.parent.mkdir(parents=True, exist_ok=True)
+        source, target = self.folder / "suite.cpp", self.folder / "suite.o"
+        source.write_text(self.suite.whole_source())
+        options = [f"-I{self.folder}", "-include", str(given), "-ffp-contract=off"]
+        command = self.suite.compile_command(source, target, options)
+        bad = {n for n in self.mutants if self.outcome(n) and self.outcome(n).state == "does not compile"}
+        while True:
+            chosen = {number: one for number, one in self.mutants.items() if number not in bad}
+            text = schema.with_choices(self.source, chosen, self.functions)
+            overlay.write_text(text)
+            more = self.compile_errors(command, overlay, text)
+            if not more:
+                break
+            bad |= more
+        for number in bad:
+            self.keep(number, Outcome(self.key, "does not compile"))
+        catalogue.run(command, "does not compile")
+        place = self.suite.link.index("-o")
+        link = [*self.suite.link[:place], str(target), "-o", str(program), *self.suite.link[place + 2 :]]
+        catalogue.run(link, "does not link")
+        target.unlink()
+        stamp.write_text(json.dumps([*made_of, sorted(bad)]))
+        return program
+
+    @staticmethod
+    def compile_errors(command, overlay, text):
+        """The mutants that the compiler complains about."""
+        done = subprocess.run([*command, "-fsyntax-only"], capture_output=True, text=True)
+        if done.returncode == 0:
+            return set()
+        errors = re.findall(r"^(.*?):(\d+):\d+: (?:fatal )?error: (.*)", done.stderr, re.MULTILINE)
+        bad = set()
+        for path, line, _ in errors:
+            if Path(path) == overlay:
+                bad.update(schema.numbers_on(text, int(line)))
+        if not bad:
+            raise Failure(f"no mutant is to blame: {errors[0] if errors else done.stderr[:300]}")
+        return bad
+
+    # Its runs.
+
+    def run(self, program, number, options=(), seconds=120):
+        """(failed tests, how it ended, the report)."""
+        paths = {name: str(BUILD) for name in ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")}
+        environment = os.environ | paths | {"LIGHTWALK_MUTANT": str(number)}
+        try:
+            done = subprocess.run(
+                [program, "-r=xml", *options],
+                capture_output=True,
+                text=True,
+                errors="replace",
+                preexec_fn=lambda: limit_time(seconds),
+                timeout=30 * seconds,
+                cwd=self.folder,
+                env=environment,
+            )
+            report, code = done.stdout, done.returncode
+        except subprocess.TimeoutExpired as late:
+            report, code = (late.stdout or b"").decode(errors="replace"), -24
+        end = "" if code in (0, 1) else "crash"
+        if code in (-24, -9, 128 + 24, 128 + 9):  # SIGXCPU
+            end = "time"
+        failed = catalogue.failed_tests(report)
+        if code and not failed and not end:
+            end = "crash"
+        return failed, end, report
+
+    def check_unchanged(self, program):
+        failed, end, report = self.run(program, 0, ["--duration=true"])
+        if failed or end:
+            raise Failure(f"stage {self.number} fails without a change: {end} {'; '.join(failed)}")
+        suite, durations = "", []
+        for part in re.split(r"(?=<Test(?:Suite|Case)\b)", report):
+            name = re.match(r'<\w+ name="([^"]*)"', part)
+            name = html.unescape(name[1]) if name else ""
+            if part.startswith("<TestSuite"):
+                suite = name
+            elif part.startswith("<TestCase"):
+                self.kind_of[name] = suite
+                durations.append((float(re.search(r'duration="([^"]*)"', part)[1]), name))
+        whole = sum(seconds for seconds, _ in durations)
+        phases, spent = [[] for _ in SHARES], 0.0
+        for seconds, name in sorted(durations):
+            spent += seconds
+            place = next(i for i, share in enumerate(SHARES) if spent <= share * whole or share == 1)
+            phases[place].append(filter_text(name))
+        for names in filter(None, phases):
+            options = [f"--test-case={','.join(names)}"]
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            self.run(program, 0, options)
+            seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+            self.phases.append((options, math.ceil(AT_LEAST + TIMES_AS_LONG * seconds)))
+
+    def judge(self, program, number):
+        known = self.outcome(number)
+        if known and known.key == self.key:
+            return known
+        runs = list(self.phases)
+        if known and known.state == "killed" and known.test:
+            runs.insert(0, ([f"--test-case={filter_text(known.test)}"], self.phases[-1][1]))
+        for options, seconds in runs:
+            outcome = self.result(*self.run(program, number, ["--abort-after=1", *options], seconds))
+            if outcome.state == "killed":
+                break
+        self.keep(number, outcome)
+        return outcome
+
+    def result(self, failed, end, _):
+        if not failed and not end:
+            return Outcome(self.key, "alive")
+        test = failed[0] if failed else ""
+        kind = end or self.kind_of.get(test) or "units"
+        return Outcome(self.key, "killed", kind, test)
+
+
+def filter_text(name):
+    """A test's name as a filter: there, a comma separates names."""
+    return re.sub(r"[,\\]", "*", name)
+
+
+def limit_time(seconds):
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+class Equivalents:
+    """equivalent.toml: changes that are no mistakes, and why."""
+
+    def __init__(self):
+        self.entries = []  # [stage, function or "", before, after, reason, uses]
+        for one in tomllib.loads((HERE / "equivalent.toml").read_text()).get("equivalent", []):
+            if not one["reason"].strip():
+                raise Failure(f"equivalent.toml: no reason is given for {one['changes'][0]}")
+            for stage in one["stages"]:
+                for before, after in one["changes"]:
+                    self.entries.append([stage, one.get("function", ""), before, after, one["reason"], 0])
+
+    def find(self, stage, mutant):
+        """The entry of a mutant, whose use is counted, or None."""
+        for entry in self.entries:
+            if entry[0] != stage or entry[1] not in ("", mutant.function):
+                continue
+            if (entry[2], entry[3]) == (mutant.before, mutant.after):
+                entry[5] += 1
+                return entry
+        return None
+
+    def unused(self, stages):
+        return [entry for entry in self.entries if entry[0] in stages and entry[5] == 0]
+
+
+def run_stage(stage, jobs):
+    """All of a stage's mutants; what is alive is printed as it comes."""
+    program = stage.program()
+    stage.check_unchanged(program)
+    todo = [
+        number
+        for number in stage.mutants
+        if not (stage.outcome(number) and stage.outcome(number).key == stage.key)
+    ]
+    print(f"stage {stage.number}: {len(stage.mutants)} mutants, {len(todo)} to run", flush=True)
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for count, outcome in enumerate(pool.map(lambda number: stage.judge(program, number), todo), 1):
+            if outcome.state == "alive":
+                print(f"  alive: {stage.names[todo[count - 1]]}", flush=True)
+            if count % 25 == 0:
+                print(f"  {count} of {len(todo)}", flush=True)
+                stage.save()
+    stage.save()
+
+
+def table(rows):
+    """Markdown: a line for each stage. `rows` are (stage, counts)."""
+    columns = ("mutants", "do not compile", *KINDS, "equivalent", "alive")
+    heads = [f"killed by {name}" if name in KINDS else name for name in columns]
+    lines = ["| stage | " + " | ".join(heads) + " |", "|---" * (len(columns) + 1) + "|"]
+    total = dict.fromkeys(columns, 0)
+    for stage, counts in rows:
+        lines.append(f"| {stage} | " + " | ".join(str(counts.get(name, 0)) for name in columns) + " |")
+        for name in columns:
+            total[name] += counts.get(name, 0)
+    lines.append("| all | " + " | ".join(str(total[name]) for name in columns) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def counts_and_errors(stage, equivalents):
+    """Counts for the table; what is alive; what is wrong with equivalent.toml."""
+    counts, alive, errors = {"mutants": len(stage.mutants)}, [], []
+    for number, mutant in stage.mutants.items():
+        outcome = stage.outcome(number)
+        entry = equivalents.find(stage.number, mutant)
+        word = outcome.kind if outcome.state == "killed" else outcome.state
+        word = {"does not compile": "do not compile"}.get(word, word)
+        if entry and outcome.state == "alive":
+            word = "equivalent"
+        elif entry:
+            errors.append(
+                f"stage {stage.number}: listed as equivalent, and {outcome.state} ({outcome.kind} {outcome.test}): {stage.names[number]}"
+            )
+        if word == "alive":
+            line = stage.source[: mutant.edits[0][0]].count(b"\n") + 1
+            alive.append((line, mutant))
+        counts[word] = counts.get(word, 0) + 1
+    return counts, alive, errors
+
+
+def publish(text):
+    """Puts the table into the page."""
+    page = HERE / "README.md"
+    parts = re.split(r"(<!-- table -->\n)(?:.*?)(<!-- end -->)", page.read_text(), flags=re.DOTALL)
+    page.write_text(parts[0] + parts[1] + "\n" + text + "\n" + parts[2] + parts[3])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--stage", type=int, action="append", help="only this stage's; may be given again")
+    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--publish", action="store_true", help="put the table into tests/mutants/README.md")
+    options = parser.parse_args()
+    numbers = options.stage or [int(path.parent.name[0]) for path in stage_headers()]
+    rows, report, errors = [], [], []
+    try:
+        equivalents = Equivalents()
+        for number in numbers:
+            stage = Stage(number)
+            run_stage(stage, options.jobs)
+            counts, alive, wrong = counts_and_errors(stage, equivalents)
+            rows.append((number, counts))
+            errors += wrong
+            name = stage.header.relative_to(ROOT)
+            for line, mutant in alive:
+                report.append(
+                    f"{name}:{line}: {mutant.function}: {mutant.what}\n    {mutant.before}\n    {mutant.after}\n"
+                )
+    except (Failure, OSError, subprocess.CalledProcessError) as failure:
+        sys.exit(f"mutants: {failure}")
+    for entry in equivalents.unused(numbers):
+        errors.append(f"equivalent.toml: stage {entry[0]} has no such change: {entry[2]} -> {entry[3]}")
+    text = table(rows)
+    (FOLDER / "table.md").write_text(text)
+    (FOLDER / "alive.txt").write_text("\n".join(report))
+    print("\n".join(["", *report, *errors, text]))
+    if options.publish:
+        publish(text)
+    print(f"What is alive: {FOLDER / 'alive.txt'}")
+    return 1 if report or errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,13 @@
+// What a path tells of itself.
+
+#include "stages/2_next_event/path_tracer.hpp"
+#include "support/told_paths.hpp"
+
+using namespace lightwalk::tests;
+
+TEST_CASE("a told path is the sum that is computed, vertex by vertex") {
+  check_told_paths<lightwalk::stage2::PathTracer>(
+      "[[lights]]\ntype = \"point\"\n"
+      "center = [0, 0, 0]\n"
+      "intensity = 3.14159265\n");
+}

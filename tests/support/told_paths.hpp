@@ -1,0 +1,85 @@
+#pragma once
+
+// What a path tells at its vertices (`--pixel` prints it) is what it computes.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "common/scene/path_log.hpp"
+#include "support/renders.hpp"
+
+namespace lightwalk::tests {
+
+/// The radiance of one path, and what it told.
+template <class PathTracer>
+Vec3 listen(const PathTracer& tracer, const Ray& ray, Random& random,
+            PathLog& log) {
+  struct Listening {
+    explicit Listening(PathLog& to) { path_log = &to; }
+    ~Listening() { path_log = nullptr; }
+  } const listening(log);
+  return tracer.radiance(ray, random);
+}
+
+/// Paths within a sphere of radius 1. `lights` is a point light of intensity
+/// pi at its center, or nothing: a wall sends back kd/pi * pi / 1^2 = kd of
+/// it. So each vertex adds its throughput times kd to the sum, up to the last
+/// one, and nothing else does.
+template <class PathTracer>
+void check_told_paths(const std::string& lights) {
+  const Scene scene = scene_text(R"(
+[materials]
+wall = { kd = [0.8, 0.4, 0.2] }
+[[shapes]]
+type = "sphere"
+center = [0, 0, 0]
+radius = 1
+material = "wall"
+)" + lights);
+  const Vec3 kd(0.8f, 0.4f, 0.2f);
+  const Vec3 added = lights.empty() ? Vec3(0) : kd;
+  constexpr int max_bounces = 5;
+  RenderSettings settings;
+  settings.max_bounces = max_bounces;
+  const PathTracer tracer(scene, settings);
+  const Ray ray{{0.2f, 0.1f, -0.3f}, normalize(Vec3(1, 2, 3))};
+
+  std::size_t longest = 0;
+  for (std::uint64_t sample = 0; sample < 50; ++sample) {
+    CAPTURE(sample);
+    PathLog log;
+    Random random(1, 0, sample);
+    const Vec3 radiance = listen(tracer, ray, random, log);
+    REQUIRE_MESSAGE(!log.vertices.empty(), "log_vertex was never called");
+    longest = std::max(longest, log.vertices.size());
+
+    Vec3 sum(0);
+    Vec3 shares(1);  // of throughput in the three channels, red's being 1
+    for (std::size_t i = 0; i < log.vertices.size(); ++i) {
+      CAPTURE(i);
+      const PathVertex& vertex = log.vertices[i];
+      const Vec3& throughput = vertex.throughput;
+      CHECK(vertex.bounce == static_cast<int>(i));
+      if (i == 0) CHECK(throughput.x == 1);
+      for (int c = 0; c < 3; ++c) {
+        CAPTURE(c);
+        INFO("throughput is (", throughput.x, ", ", throughput.y, ", ",
+             throughput.z, "), sum is (", vertex.sum.x, ", ", vertex.sum.y,
+             ", ", vertex.sum.z, ")");
+        CHECK(throughput[c] > 0);
+        CHECK(throughput[c] / throughput.x ==
+              doctest::Approx(shares[c]).epsilon(1e-5));
+        CHECK(vertex.sum[c] == doctest::Approx(sum[c]).epsilon(1e-5));
+      }
+      if (i < max_bounces) sum += throughput * added;
+      shares *= kd / kd.x;
+    }
+    for (int c = 0; c < 3; ++c) {
+      CHECK(radiance[c] == doctest::Approx(sum[c]).epsilon(1e-5));
+    }
+  }
+  CHECK(longest == max_bounces + 1);
+}
+
+}  // namespace lightwalk::tests
