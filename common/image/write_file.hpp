@@ -24,8 +24,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "common/image/file_place.hpp"
 #include "common/image/image_error.hpp"
-#include "common/image/place.hpp"
 
 #ifndef _WIN32
 #include <fcntl.h>
@@ -98,7 +98,7 @@ class OpenFile {
 /// removed. One at a time.
 class UnfinishedFile {
  public:
-  explicit UnfinishedFile(const Place& place)
+  explicit UnfinishedFile(const FilePlace& place)
       : target_(place.path),
         name_(unfinished_name(place.path)),
         file_(create(place.old ? 0600 : 0666)) {
@@ -163,7 +163,7 @@ class UnfinishedFile {
 };
 
 /// Into a pipe or device. A reader who went away is an error, no signal.
-inline void write_stream(const Place& place, std::string_view bytes) {
+inline void write_stream(const FilePlace& place, std::string_view bytes) {
   struct NoSignal {
     NoSignal() = default;
     NoSignal(const NoSignal&) = delete;
@@ -186,7 +186,7 @@ inline void write_stream(const Place& place, std::string_view bytes) {
 /// devices are written to. Throws an ImageError, and then the old file is as
 /// it was.
 inline void write_file(const std::string& path, std::string_view bytes) {
-  const Place place = find_place(path);
+  const FilePlace place = find_file_place(path);
   if (place.is_stream()) return write_stream(place, bytes);
   UnfinishedFile file(place);
   file.write(bytes);
@@ -195,7 +195,7 @@ inline void write_file(const std::string& path, std::string_view bytes) {
 
 /// Throws the ImageError that `write_file` would throw, if that can be known.
 inline void check_place(const std::string& path) {
-  const Place place = find_place(path);
+  const FilePlace place = find_file_place(path);
   if (place.is_stream()) return;
   // Nobody handles signals yet that would remove the trial.
   sigset_t all, before;

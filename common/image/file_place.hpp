@@ -45,7 +45,7 @@ auto uninterrupted(Call call) {
 }
 
 /// Where a name leads, links followed to their end.
-struct Place {
+struct FilePlace {
   std::string path;
   std::optional<struct stat> old = {};  ///< none where nothing is there yet
   int descriptor = -1;  ///< an open file of this program, such as /dev/stdout
@@ -73,9 +73,9 @@ inline int descriptor_in(const std::string& path) {
 }
 
 /// Throws an ImageError where no file can be, or none that may be replaced.
-inline Place find_place(const std::string& name) {
+inline FilePlace find_file_place(const std::string& name) {
   constexpr int most_links = 40;
-  Place place{name};
+  FilePlace place{name};
   struct stat status {};
   for (int links = 0;; ++links) {
     check_folder_of(place.path);
