@@ -238,7 +238,9 @@ class Stage:
             return known
         runs = list(self.phases)
         if known and known.state == "killed" and known.test:
-            runs.insert(0, ([f"--test-case={filter_text(known.test)}"], self.phases[-1][1]))
+            name = filter_text(known.test)
+            limits = [seconds for options, seconds in self.phases if name in options[0]]
+            runs.insert(0, ([f"--test-case={name}"], limits[0] if limits else self.phases[-1][1]))
         for options, seconds in runs:
             outcome = self.result(*self.run(program, number, ["--abort-after=1", *options], seconds))
             if outcome.state == "killed":
