@@ -17,8 +17,8 @@
 // large tile. What is claimed beyond four times of what is shown is refused;
 // less than that costs a comparison at most half of its z.
 //
-// The sum says nothing where a few pixels have all of it: one bright path that
-// came once, as it should, is a large variance and no difference. So only
+// The sum says nothing where a few pixels have all of it: one bright path
+// that came once, as it should, is a large variance and no difference. So only
 // regions in which many pixels share the variance are judged.
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/part_place.hpp"
+#include "compare/part_amount.hpp"
 
 namespace lightwalk {
 

@@ -66,7 +66,8 @@ inline Part joined(const Part& a, const Part& b) {
 // ## Files
 //
 // A file for each golden: the fingerprint of its scene, and a line for each
-// part: its name, the samples, and mean and variance of each tile and channel.
+// part: its name, the samples, and mean and variance of each tile and
+// channel.
 
 inline std::string part_line(const Part& part) {
   char number[64];
@@ -188,8 +189,8 @@ struct PartVerdict {
 };
 
 /// Whether the light that a part adds to the one before it, over some tiles
-/// and all channels, is known to a tenth and right to that. No light at all is
-/// neither.
+/// and all channels, is known to a tenth and right to that. No light at all
+/// is neither.
 inline bool surely_right(const Part& test, const Part& right,
                          const Part* before, const Tiles& tiles) {
   double added = 0, difference = 0, sigma = 0;

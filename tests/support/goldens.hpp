@@ -30,9 +30,9 @@ Golden load_golden(int stage, const std::string& name);
 /// What is to be seen in most of a region: "the sphere of 'glass'".
 std::string seen_in(const LoadedScene& loaded, const Region& region);
 
-/// A failed comparison in words: what differs, where, by how much, which parts
-/// of the picture are wrong by themselves, and which known mistakes it looks
-/// like. Writes the pictures beside each other.
+/// A failed comparison in words: what differs, where, by how much, which
+/// parts of the picture are wrong by themselves, and which known mistakes it
+/// looks like. Writes the pictures beside each other.
 std::string explain(int stage, const Golden& golden,
                     const Comparison& comparison, const Painter& paint);
 
