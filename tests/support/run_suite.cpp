@@ -132,114 +132,146 @@ struct Listener {
         watch.restart();
       } else if (what == "done" && fields.size() == 2) {
         done = true;
-        tests = static_cast<unsigned>(std::atoi(fields[1].c_str()));
+        tests += static_cast<unsigned>(std::atoi(fields[1].c_str()));
       }
     }
   }
 };
 
-/// Prints the report; the value is this program's.
-int finish(const std::string& text, bool passed) {
-  std::fputs(text.c_str(), stdout);
-  std::fflush(stdout);
-  return passed ? 0 : 1;
-}
+/// How a run of the suite ended.
+struct End {
+  bool late = false;
+  int status = 0;  ///< as waitpid tells it
+};
 
-int run(const std::vector<std::string>& command, double most_seconds) {
-  int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
-  fcntl(ends[0], F_SETFD, FD_CLOEXEC);
-  fcntl(ends[0], F_SETFL, O_NONBLOCK);
-  setenv(pipe_variable, std::to_string(ends[1]).c_str(), 1);
+/// Starts the suite, which tells what it does on `pipe_end`.
+pid_t start(const std::vector<std::string>& command, int pipe_end) {
+  setenv(pipe_variable, std::to_string(pipe_end).c_str(), 1);
   std::vector<char*> words;
   for (const std::string& word : command) {
     words.push_back(const_cast<char*>(word.c_str()));
   }
   words.push_back(nullptr);
-
   const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no process");
-  if (child == 0) {
+  if (child < 0) throw std::runtime_error("no process can be started");
+  if (child > 0) return child;
 #ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing is left behind
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing is left behind
 #endif
-    execv(words[0], words.data());
-    std::fprintf(stderr, "run_suite: %s: %s\n", words[0],
-                 std::strerror(errno));
-    std::_Exit(127);
-  }
-  close(ends[1]);
+  execv(words[0], words.data());
+  std::fprintf(stderr, "run_suite: %s: %s\n", words[0],
+               std::strerror(errno));
+  std::_Exit(127);
+}
 
-  Listener suite;
+/// Runs the suite to its end, or until a test has been going on for too long.
+End listen(const std::vector<std::string>& command, double most_seconds,
+           Listener& suite) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+  fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+  fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  const pid_t child = start(command, ends[1]);
+  close(ends[1]);
+  suite.done = false;
+
+  End end;
   Stopwatch watch(child);
-  bool late = false, over = false;
-  int status = 0;
-  while (!over) {
+  for (bool over = false; !over;) {
     // It is over when the suite has ended, though a process that it has
-    // started may hold the pipe; what it had written is read all the same.
-    over = waitpid(child, &status, WNOHANG) == child;
+    // started may hold the pipe; what was written is read all the same.
+    over = waitpid(child, &end.status, WNOHANG) == child;
     pollfd one{ends[0], POLLIN, 0};
     poll(&one, 1, over ? 0 : 50);
     char text[4096];
-    bool closed = false;
-    for (ssize_t size; (size = read(ends[0], text, sizeof text)) >= 0;) {
-      if (size == 0) {
-        closed = true;
-        break;
-      }
+    ssize_t size = 0;
+    while ((size = read(ends[0], text, sizeof text)) > 0) {
       suite.hear(std::string(text, static_cast<std::size_t>(size)), watch);
     }
-    if (!over && closed) {
+    if (over) break;
+    if (size == 0) {  // closed, and about to end
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    if (!over && watch.seconds() > most_seconds) {
-      late = true;
+    if (watch.seconds() > most_seconds) {
+      end.late = over = true;
       kill(child, SIGKILL);
-      waitpid(child, &status, 0);
-      over = true;
+      waitpid(child, &end.status, 0);
     }
   }
+  close(ends[0]);
+  return end;
+}
 
-  const std::string program =
-      std::filesystem::absolute(command[0]).lexically_normal().string();
+/// Why a run is none that passes, as a sentence about the test `when` it
+/// ended. Empty where the suite came to its end.
+std::string broken_off(const End& end, const Listener& suite,
+                       double most_seconds) {
   const std::string when =
       suite.report.running()
-          ? "during the test\n\"" + suite.report.current_test() + "\"\n"
-      : suite.done ? "after the last test\n"
-                   : "between two tests, or before the first\n";
-  const auto stopped = [&](const std::string& what, const std::string& why) {
-    return finish(suite.report.broken_off(what + ' ' + when + why, program),
-                  false);
-  };
-  if (late) {
+          ? " during the test\n\"" + suite.report.current_test() + "\"\n"
+      : suite.done ? " after the last test\n"
+                   : " between two tests, or before the first\n";
+  if (end.late) {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%g", most_seconds);
-    return stopped("The tests do not end: stopped",
-                   std::string("which had been going on for ") + seconds +
-                       " seconds. A loop or a path without an end? A lock "
-                       "that is never released?");
+    return "The tests do not end: stopped" + when +
+           "which had been going on for " + seconds +
+           " seconds. A loop or a path without an end? A lock that is never "
+           "released?";
   }
-  if (WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    if (signal == SIGINT || signal == SIGTERM) {
-      return finish("stopped\n", false);
-    }
-    return stopped("The tests crashed", crash_in_words(signal));
+  if (WIFSIGNALED(end.status)) {
+    return "The tests crashed" + when + crash_in_words(WTERMSIG(end.status));
   }
-  const int code = WEXITSTATUS(status);
+  const std::string code = std::to_string(WEXITSTATUS(end.status));
   if (!suite.done) {
-    return stopped("The program left by std::exit or the like, exit code " +
-                       std::to_string(code) + ',',
-                   "and so the tests did not come to their end. That is no "
-                   "pass.");
+    return "The program left by std::exit or the like, exit code " + code +
+           "," + when + "so the tests did not come to their end, and have "
+           "not passed.";
   }
-  if (suite.tests == 0) return finish("no test has such a name\n", false);
-  if (code != 0 && !suite.report.failed()) {
-    return stopped("The program ended with exit code " + std::to_string(code),
-                   "though no test failed. The lines above may say why.");
+  if (code != "0" && !suite.report.failed()) {
+    return "The program ended with exit code " + code + when +
+           "though no test failed. The lines above may say why.";
   }
-  const bool passed = !suite.report.failed();
-  return finish(suite.report.summary(suite.tests, program), passed);
+  return "";
+}
+
+/// Options of doctest's that run one kind of tests each, the sharpest first,
+/// and those that are in no suite with the scenes.
+std::vector<std::string> filters() {
+  std::vector<std::string> result;
+  std::string others;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    result.push_back("-ts=" + std::string(kinds[i]));
+    if (i == 1) continue;
+    others += (others.empty() ? "" : ",") + std::string(kinds[i]);
+  }
+  result[1] = "-tse=" + others;
+  return result;
+}
+
+int run(const std::vector<std::string>& command, double most_seconds) {
+  const std::string program =
+      std::filesystem::absolute(command[0]).lexically_normal().string();
+  Listener suite;
+  std::string text;
+  for (const std::string& filter : filters()) {
+    std::vector<std::string> words = command;
+    words.push_back(filter);
+    const End end = listen(words, most_seconds, suite);
+    if (WIFSIGNALED(end.status) && WTERMSIG(end.status) == SIGINT) return 1;
+    const std::string why = broken_off(end, suite, most_seconds);
+    if (why.empty()) continue;
+    text = suite.report.broken_off(why, program);
+    break;
+  }
+  const bool passed =
+      text.empty() && suite.tests > 0 && !suite.report.failed();
+  if (text.empty()) {
+    text = suite.tests > 0 ? suite.report.summary(suite.tests, program)
+                           : "no test has such a name\n";
+  }
+  std::fputs(text.c_str(), stdout);
+  return passed ? 0 : 1;
 }
 
 }  // namespace
