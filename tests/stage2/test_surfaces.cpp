@@ -174,8 +174,8 @@ TEST_CASE("a thin wall does not glow in the light of a lamp behind it") {
     for (std::uint64_t i = 0; i < 100; ++i) {
       Random random(1, 0, i);
       REQUIRE(tracer.radiance({{0, -1, 0}, {0, 1, 0}}, random) == Vec3(0));
-      REQUIRE(tracer.radiance(down, random).x > 0);
     }
+    CHECK(estimate(tracer, down, 100).mean[0] > 0);
   }
 }
 
@@ -237,11 +237,16 @@ TEST_CASE("each sample asks another point of the lamp") {
         scene_text(materials + plane("[0, 1, 0]", "0", "floor") + lamp);
     const PathTracer tracer(scene, bounces(1));
     std::set<float> values;
+    std::size_t lit = 0;  // points on the far side bring nothing
     for (std::uint64_t i = 0; i < 100; ++i) {
       Random random(1, 0, i);
-      values.insert(tracer.radiance(down, random).x);
+      const float value = tracer.radiance(down, random).x;
+      if (value == 0) continue;
+      values.insert(value);
+      ++lit;
     }
     CAPTURE(lamp);
-    CHECK(values.size() > 90);
+    CHECK(lit > 20);
+    CHECK(values.size() * 10 > lit * 9);
   }
 }

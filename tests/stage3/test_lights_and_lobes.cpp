@@ -4,6 +4,7 @@
 
 #include "stages/3_specular_refraction/path_tracer.hpp"
 #include "support/comparisons.hpp"
+#include "support/exact_radiance.hpp"
 #include "support/specular_scenes.hpp"
 
 using namespace lightwalk;
@@ -56,7 +57,8 @@ TEST_CASE("a lamp is seen in a mirror as bright as it is") {
     CAPTURE(lamp);
     const Scene scene = scene_text(floor_of("{ ks = 0.5 }") + "[[shapes]]\n" +
                                    lamp + "material = \"lamp\"\n");
-    CHECK(one_sample(scene, down, 1) == Vec3(2));
+    check_radiance<PathTracer>("the mirror", scene, down, with_bounces(1),
+                               DoubleVec3(2));
   }
 }
 

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "stages/3_specular_refraction/path_tracer.hpp"
+#include "support/each_or_mean.hpp"
+#include "support/exact_radiance.hpp"
 #include "support/specular_scenes.hpp"
 
 using namespace lightwalk;
@@ -18,16 +20,16 @@ RenderSettings bounces(int max_bounces) {
   return settings;
 }
 
-/// Every ray at the thing must bring `expected`.
+/// Every ray at the thing must bring `expected`, or else all in the mean.
 void check_all_rays(const Scene& scene, int max_bounces, double expected) {
   const PathTracer tracer(scene, bounces(max_bounces));
+  EachOrMean all(expected, 1e-5);
   for (std::uint64_t i = 0; i < 20'000; ++i) {
     Random random(8, 0, i);
     const Ray ray = ray_at_thing(random);
-    CAPTURE(i);
-    REQUIRE(tracer.radiance(ray, random).x ==
-            doctest::Approx(expected).epsilon(1e-5));
+    all.add(tracer.radiance(ray, random).x);
   }
+  all.check("20000 rays at the thing");
 }
 
 }  // namespace
@@ -57,20 +59,23 @@ TEST_CASE("a glass cube in a white room is invisible") {
   const Scene scene = in_white_room("{ kt = 1 }", cube("thing"));
   const PathTracer tracer(scene, bounces(60));
   int kept_inside = 0, seen = 0;
+  EachOrMean all(1, 1e-4), not_kept(1, 1e-4);
   for (std::uint64_t i = 0; i < 20'000; ++i) {
     Random random(8, 0, i);
     const Ray ray = ray_at_thing(random);
     const float radiance = tracer.radiance(ray, random).x;
+    all.add(radiance);
     if (radiance == 0) {
       ++kept_inside;
       continue;
     }
     ++seen;
-    CAPTURE(i);
-    REQUIRE(radiance == doctest::Approx(1).epsilon(1e-4));
+    not_kept.add(radiance);
   }
   INFO(kept_inside, " of 20000 paths never left the cube");
-  CHECK(seen > 10'000);
+  CHECK(seen > 1000);
+  // By roulette paths may end early, for which others count more.
+  (not_kept.counts_each() ? not_kept : all).check("rays at the cube");
 }
 
 // Outside radiance 1 is 1.5^2 inside.
@@ -97,36 +102,24 @@ TEST_CASE("what is totally reflected for ever brings nothing, and ends") {
 TEST_CASE("a colored mirror colors what it shows") {
   const Scene scene =
       in_white_room("{ ks = [0.9, 0.5, 0.1] }", ball("thing"));
-  const PathTracer tracer(scene, bounces(8));
-  Random random(1, 0, 0);
-  const Vec3 radiance = tracer.radiance({{0, 0, -5}, {0, 0, 1}}, random);
-  CHECK(radiance.x == doctest::Approx(0.9));
-  CHECK(radiance.y == doctest::Approx(0.5));
-  CHECK(radiance.z == doctest::Approx(0.1));
+  check_radiance<PathTracer>("the mirror", scene, {{0, 0, -5}, {0, 0, 1}},
+                             bounces(8), DoubleVec3(0.9, 0.5, 0.1));
 }
 
 // Through the middle of the ball: two refractions, each kt.
 TEST_CASE("colored glass colors what is seen through it") {
   const Scene scene =
       in_white_room("{ kt = [0.9, 0.5, 0.1] }", ball("thing"));
-  const PathTracer tracer(scene, bounces(8));
-  Random random(1, 0, 0);
-  const Vec3 radiance = tracer.radiance({{0, 0, -5}, {0, 0, 1}}, random);
-  CHECK(radiance.x == doctest::Approx(0.81));
-  CHECK(radiance.y == doctest::Approx(0.25));
-  CHECK(radiance.z == doctest::Approx(0.01));
+  check_radiance<PathTracer>("the glass", scene, {{0, 0, -5}, {0, 0, 1}},
+                             bounces(8), DoubleVec3(0.81, 0.25, 0.01));
 }
 
 TEST_CASE("a lobe of one color is followed") {
   for (const char* material :
        {"{ ks = [0.9, 0, 0] }", "{ ks = [0.5, 0, 0], kd = [0.4, 0, 0] }"}) {
-    CAPTURE(material);
     const Scene scene = in_white_room(material, ball("thing"));
-    Random random(1, 0, 0);
-    const Ray ray{{0, 0, -5}, {0, 0, 1}};
-    const Vec3 radiance = PathTracer(scene, bounces(1)).radiance(ray, random);
-    CHECK(radiance.x == doctest::Approx(0.9));
-    CHECK(radiance.y == 0);
+    check_radiance<PathTracer>(material, scene, {{0, 0, -5}, {0, 0, 1}},
+                               bounces(1), DoubleVec3(0.9, 0, 0));
   }
 }
 

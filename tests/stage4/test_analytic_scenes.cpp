@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "stages/4_russian_roulette/path_tracer.hpp"
+#include "support/each_or_mean.hpp"
 #include "support/specular_scenes.hpp"
 
 using namespace lightwalk;
@@ -76,7 +77,8 @@ Pixel hits_inside(const std::string& kd) {
   return hits;
 }
 
-// 1 + p_0 + p_0 p_1 + ...; for p = 1/2 that is 2.
+// 1 + p_0 + p_0 p_1 + ...; for p = 1/2 that is 2. A loop may end paths for
+// other reasons as well, such as a small throughput; then there are fewer.
 TEST_CASE("paths end as often as their probabilities say") {
   double expected = 0, alive = 1;
   for (const double p : survivals()) {
@@ -85,7 +87,8 @@ TEST_CASE("paths end as often as their probabilities say") {
   }
   const Pixel hits = hits_inside("0.5");
   INFO("hits ", hits.mean[0], ", expected ", expected);
-  CHECK(deviations(hits, 0, expected) < 4.4);
+  CHECK(hits.mean[0] <=
+        expected + 4.4 * std::sqrt(hits.variance(0) / hits.samples));
 }
 
 // Roulette may wait, but by bounce 16 it has begun, and then lets half of the
@@ -146,32 +149,29 @@ TEST_CASE("each lobe keeps its color, whichever event is drawn") {
 // can end anywhere. Beyond bounce 16 roulette adds noise, not light.
 TEST_CASE("what loses no light is invisible in a white room, in the mean") {
   struct Case {
-    std::string material, shape;
+    const char* material;
     bool exact;  // every path of fewer than 16 bounces
   };
-  const Case cases[] = {
-      {"{ ks = 1 }", ball("thing"), true},
-      {"{ kt = 1 }", ball("thing"), true},
-      {"{ ks = 0.1, kt = 0.9 }", ball("thing"), false},
-      {"{ kd = 0.5, ks = 0.5 }", ball("thing"), false},
-      {"{ kd = 0.2, ks = 0.3, kt = 0.5 }", ball("thing"), false},
-  };
+  const Case cases[] = {{"{ ks = 1 }", true},
+                        {"{ kt = 1 }", true},
+                        {"{ ks = 0.1, kt = 0.9 }", false},
+                        {"{ kd = 0.5, ks = 0.5 }", false},
+                        {"{ kd = 0.2, ks = 0.3, kt = 0.5 }", false}};
   for (const Case& one : cases) {
-    CAPTURE(one.material);
-    const Scene scene = in_white_room(one.material, one.shape);
+    const Scene scene = in_white_room(one.material, ball("thing"));
     const PathTracer tracer(scene, {});
     // Where nothing can be absorbed early on, nothing is left to chance.
-    const auto p = stage4::lobe_probabilities(scene.materials.back(), 0);
-    const bool exact =
-        one.exact && p.diffuse + p.specular + p.refraction == 1;
+    EachOrMean all(1, 1e-5);
     Pixel pixel;
     for (std::uint64_t i = 0; i < 40'000; ++i) {
       Random random(8, 0, i);
       const Ray ray = ray_at_thing(random);
       const float radiance = tracer.radiance(ray, random).x;
-      if (exact) REQUIRE(radiance == doctest::Approx(1).epsilon(1e-5));
+      all.add(radiance);
       pixel.add(Vec3(radiance));
     }
+    if (one.exact) all.check(one.material);
+    CAPTURE(one.material);
     CAPTURE(pixel.mean[0]);
     CHECK(std::abs(pixel.mean[0] - 1) <=
           4.4 * std::sqrt(pixel.variance(0) / pixel.samples) + 1e-6);

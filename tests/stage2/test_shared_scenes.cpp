@@ -1,0 +1,68 @@
+// Scenes that every stage shows alike, as far as it can render them.
+
+#include <doctest/doctest.h>
+
+#include "stages/2_next_event/path_tracer.hpp"
+#include "support/bounce_bounds.hpp"
+#include "support/bright_and_dim.hpp"
+#include "support/covered_sky.hpp"
+#include "support/gathered_light.hpp"
+#include "support/lamps_and_glass.hpp"
+#include "support/unlike_lights.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+using stage2::PathTracer;
+
+TEST_SUITE_BEGIN("analytic scenes");
+
+TEST_CASE("what was gathered is kept at an emitter that cannot be asked") {
+  check_kept_at_an_emitter<PathTracer>();
+}
+
+TEST_CASE("what was gathered is kept at a lamp that has been asked") {
+  check_kept_at_a_counted_lamp<PathTracer>();
+}
+
+TEST_CASE("what was gathered is kept when the throughput is black") {
+  check_kept_when_all_goes_black<PathTracer>();
+}
+
+TEST_CASE("what was gathered is kept when a path leaves the scene") {
+  check_kept_when_a_path_leaves<PathTracer>();
+}
+
+TEST_CASE("two unlike lights of each type give what each of them gives") {
+  check_unlike_lights<PathTracer>();
+}
+
+TEST_CASE("at most N bounces: N terms of the light of a lamp") {
+  check_bound_under_a_lamp<PathTracer>();
+}
+
+TEST_CASE("at most N bounces: N terms of the light of a point") {
+  check_bound_under_a_point_light<PathTracer>(0);
+}
+
+TEST_CASE("each direction has its own weight, however directions are drawn") {
+  check_covered_sky<PathTracer>("{ kd = 0.5 }", DoubleVec3(0.5), 1);
+}
+
+TEST_CASE("bright samples are not clamped, and dim ones not cut off") {
+  check_bright_and_dim_sky<PathTracer>();
+  check_bright_and_dim_lamps<PathTracer>();
+}
+
+TEST_CASE("paths that seem to be worth little are followed to their end") {
+  check_dark_floor_under_a_bright_sky<PathTracer>();
+}
+
+TEST_CASE("the camera sees a lamp from the front, and black behind it") {
+  check_lamp_as_the_camera_sees_it<PathTracer>();
+}
+
+TEST_CASE("the back of an emitter lights nothing") {
+  check_back_of_a_lamp_is_black<PathTracer>();
+}
+
+TEST_SUITE_END();

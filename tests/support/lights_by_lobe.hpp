@@ -1,0 +1,65 @@
+#pragma once
+
+// # The lights are asked by a lobe, not by a material
+//
+// Plastic is diffuse and a mirror. Its diffuse lobe has asked the lamps, so a
+// diffuse ray that meets one adds nothing. Its mirror has asked nobody: the
+// ray that it sends counts what it meets.
+
+#include "support/exact_radiance.hpp"
+#include "support/specular_scenes.hpp"
+
+namespace lightwalk::tests {
+
+inline std::string lobes_floor(const std::string& material) {
+  return "[materials]\nthing = " + material + "\nlamp = { ke = 4 }\n" +
+         text::plane("0, 1, 0", "0", "thing");
+}
+
+inline const Ray at_lobes_floor{{0, 0.5f, 0}, {0, -1, 0}};
+
+/// A ball straight overhead fills 1/4 of the diffuse lobe, and a rectangle 4 F
+/// of it. The mirrored ray hits each for certain: ke (kd share + ks).
+template <class PathTracer>
+void check_plastic_shows_its_lamp() {
+  const std::string floor = lobes_floor("{ kd = 0.4, ks = 0.3 }");
+  check_radiance<PathTracer>(
+      "plastic under a ball that shines",
+      scene_text(floor + text::sphere("0, 2, 0", "1", "lamp")),
+      at_lobes_floor, with_bounces(1), DoubleVec3(4 * (0.4 / 4 + 0.3)));
+  check_radiance<PathTracer>(
+      "plastic under a rectangle that shines",
+      scene_text(floor +
+                 text::rectangle("-1, 1, -1", "2, 0, 0", "0, 0, 2", "lamp")),
+      at_lobes_floor, with_bounces(1),
+      DoubleVec3(4 * (0.4 * 4 * rectangle_form_factor(1, 1, 1) + 0.3)));
+}
+
+/// The refracted ray goes straight down, where no diffuse light comes from. It
+/// enters glass, where radiance is 1.5^2 times what it is outside.
+template <class PathTracer>
+void check_milk_glass_shows_its_lamp() {
+  for (const std::string& lamp :
+       {text::sphere("0, -2, 0", "1", "lamp"),
+        text::rectangle("-1, -1, -1", "0, 0, 2", "2, 0, 0", "lamp")}) {
+    check_radiance<PathTracer>(
+        "a lamp behind glass that is diffuse as well",
+        scene_text(lobes_floor("{ kd = 0.4, kt = 0.5, eta = 1.5 }") + lamp),
+        at_lobes_floor, with_bounces(1), DoubleVec3(4 * 0.5 / 2.25));
+  }
+}
+
+/// A point has no image in a mirror, and plastic is diffuse all the same.
+template <class PathTracer>
+void check_point_light_lights_one_lobe() {
+  for (const char* material : {"{ kd = 0.5 }", "{ kd = 0.5, ks = 0.4 }",
+                               "{ kd = 0.5, ks = 0.2, kt = 0.3 }"}) {
+    check_radiance<PathTracer>(
+        std::string("under a point light: ") + material,
+        scene_text(lobes_floor(material) + text::point_light("0, 2, 0", "9")),
+        at_lobes_floor, with_bounces(1),
+        DoubleVec3(0.5 / std::acos(-1.0) * 9 / 4));
+  }
+}
+
+}  // namespace lightwalk::tests

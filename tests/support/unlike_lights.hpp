@@ -1,0 +1,73 @@
+#pragma once
+
+// # Two lights of a type, and no two alike
+//
+// They differ in place, size and color, so no light can stand in for another.
+// What they give is added up, in whichever order the scene has them.
+
+#include <array>
+
+#include "support/exact_radiance.hpp"
+#include "support/specular_scenes.hpp"
+
+namespace lightwalk::tests {
+
+/// One light, and the irradiance over pi that it gives to the floor's origin.
+struct UnlikeLight {
+  const char* what;
+  std::string shape;
+  DoubleVec3 gives;
+};
+
+/// Two points, two balls and two rectangles, of which none is before another.
+/// I cos / (pi d^2); ke cos (r / d)^2; ke F.
+inline std::array<UnlikeLight, 6> unlike_lights() {
+  const double pi_ = std::acos(-1.0);
+  return {{
+      {"a point light", text::point_light("-1, 2, 2", "[30, 10, 0]"),
+       DoubleVec3(30, 10, 0) * 2.0 / 27.0 / pi_},
+      {"another point light", text::point_light("1, 1, -1", "[0, 5, 9]"),
+       DoubleVec3(0, 5, 9) / std::pow(3.0, 1.5) / pi_},
+      {"a ball", text::sphere("6, 3, 2", "1", "red"),
+       DoubleVec3(9, 1, 0) * 3.0 / 7.0 / 49.0},
+      {"another ball", text::sphere("-4, 4, -7", "3", "blue"),
+       DoubleVec3(0, 1, 4) * 4.0 / 9.0 * 9.0 / 81.0},
+      {"a rectangle",
+       text::rectangle("0, 0.8, 0", "1.5, 0, 0", "0, 0, 0.7", "red"),
+       DoubleVec3(9, 1, 0) * rectangle_form_factor(1.5, 0.7, 0.8)},
+      {"another rectangle",
+       text::rectangle("-1, 3, -2", "1, 0, 0", "0, 0, 2", "blue"),
+       DoubleVec3(0, 1, 4) * rectangle_form_factor(1, 2, 3)},
+  }};
+}
+
+/// A diffuse floor under two of them, in both orders, and under all six.
+template <class PathTracer>
+void check_unlike_lights() {
+  const std::string floor =
+      "[materials]\nfloor = { kd = [0.5, 0.25, 0.75] }\n"
+      "red = { ke = [9, 1, 0] }\nblue = { ke = [0, 1, 4] }\n" +
+      text::plane("0, 1, 0", "0", "floor");
+  const DoubleVec3 kd(0.5, 0.25, 0.75);
+  const Ray down{{0, 0.005f, 0}, {0, -1, 0}};
+  const auto lights = unlike_lights();
+  const auto check = [&](const std::string& what, const std::string& shapes,
+                         const DoubleVec3& gives) {
+    check_radiance<PathTracer>(what, scene_text(floor + shapes), down,
+                               with_bounces(1), kd * gives, 20'000);
+  };
+  std::string all;
+  DoubleVec3 sum(0);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const UnlikeLight& one = lights[i];
+    const UnlikeLight& other = lights[i ^ 1];
+    check(one.what, one.shape, one.gives);
+    check(one.what + std::string(" and then ") + other.what,
+          one.shape + other.shape, one.gives + other.gives);
+    all += one.shape;
+    sum += one.gives;
+  }
+  check("six lights", all, sum);
+}
+
+}  // namespace lightwalk::tests
