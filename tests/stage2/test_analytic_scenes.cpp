@@ -11,6 +11,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage2::PathTracer;
 
+TEST_SUITE_BEGIN("analytic scenes");
+
 namespace {
 
 RenderSettings bounces(int max_bounces) {
@@ -266,3 +268,5 @@ material = "lamp"
 )");
   CHECK(one_sample(scene, onto(0), 3) == Vec3(0));
 }
+
+TEST_SUITE_END();

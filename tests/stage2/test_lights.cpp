@@ -11,6 +11,8 @@ using namespace lightwalk::tests;
 using stage2::LightSample;
 using stage2::sample_light;
 
+TEST_SUITE_BEGIN("units");
+
 namespace {
 
 constexpr int samples = 100'000;
@@ -193,3 +195,5 @@ TEST_CASE("no lamp is in its own way") {
   }
   CHECK(facing >= 20'000);
 }
+
+TEST_SUITE_END();

@@ -10,6 +10,8 @@
 using namespace lightwalk;
 using namespace lightwalk::tests;
 
+TEST_SUITE_BEGIN("analytic scenes");
+
 namespace {
 
 enum class Cover { none, plane, ball, rectangle, triangle };
@@ -156,3 +158,5 @@ TEST_CASE("no light shines through the surface that it is just behind") {
     }
   });
 }
+
+TEST_SUITE_END();

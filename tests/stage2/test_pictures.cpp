@@ -10,6 +10,8 @@
 using namespace lightwalk;
 using namespace lightwalk::tests;
 
+TEST_SUITE_BEGIN("relations");
+
 TEST_CASE("asking the lamps gives the picture that finding them gives") {
   struct Case {
     std::string scene;
@@ -69,3 +71,5 @@ TEST_CASE("uniform and cosine sampling paint the same picture") {
   settings.sampling = Sampling::uniform;
   check_same(renderer<stage2::PathTracer>(scene, settings), 256, cosine);
 }
+
+TEST_SUITE_END();

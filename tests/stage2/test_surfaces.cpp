@@ -12,6 +12,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage2::PathTracer;
 
+TEST_SUITE_BEGIN("analytic scenes");
+
 namespace {
 
 constexpr const char* materials = R"(
@@ -250,3 +252,5 @@ TEST_CASE("each sample asks another point of the lamp") {
     CHECK(values.size() * 10 > lit * 9);
   }
 }
+
+TEST_SUITE_END();

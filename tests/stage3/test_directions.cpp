@@ -9,6 +9,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using namespace lightwalk::stage3;
 
+TEST_SUITE_BEGIN("units");
+
 namespace {
 
 /// A direction at `degrees` from the z axis, towards +x.
@@ -142,3 +144,5 @@ TEST_CASE("each lobe's weight is its coefficient, without a cosine") {
     }
   }
 }
+
+TEST_SUITE_END();

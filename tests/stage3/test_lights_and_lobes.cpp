@@ -11,6 +11,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage3::PathTracer;
 
+TEST_SUITE_BEGIN("analytic scenes");
+
 namespace {
 
 Vec3 one_sample(const Scene& scene, const Ray& ray, int max_bounces) {
@@ -105,6 +107,10 @@ TEST_CASE("glass casts a shadow") {
   CHECK(one_sample(scene, under, 1) == Vec3(0));
 }
 
+TEST_SUITE_END();
+
+TEST_SUITE_BEGIN("relations");
+
 // Without mirrors and glass stage 3 is stage 2. Both draw the same numbers, so
 // even the noise is the same, but for rounding.
 TEST_CASE("without specular lobes the picture is stage 2's") {
@@ -134,3 +140,5 @@ TEST_CASE("the lab's box: the same bits for any number of threads") {
   CHECK(one.info.rays == many.info.rays);
   CHECK(one.info.dropped == 0);
 }
+
+TEST_SUITE_END();

@@ -12,6 +12,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage3::PathTracer;
 
+TEST_SUITE_BEGIN("analytic scenes");
+
 namespace {
 
 RenderSettings bounces(int max_bounces) {
@@ -169,3 +171,5 @@ TEST_CASE("a mirror bounce counts as a bounce") {
   CHECK(PathTracer(scene, bounces(0)).radiance(ray, random) == Vec3(0));
   CHECK(PathTracer(scene, bounces(1)).radiance(ray, random) == Vec3(1));
 }
+
+TEST_SUITE_END();

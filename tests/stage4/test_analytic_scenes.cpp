@@ -10,6 +10,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage4::PathTracer;
 
+TEST_SUITE_BEGIN("analytic scenes");
+
 namespace {
 
 // A diffuse sphere from inside, with a point light of intensity pi in its
@@ -212,3 +214,5 @@ TEST_CASE("a path that glass never lets out ends all the same") {
     REQUIRE(rays_cast - before < 616);
   }
 }
+
+TEST_SUITE_END();

@@ -11,6 +11,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using namespace lightwalk::stage4;
 
+TEST_SUITE_BEGIN("units");
+
 namespace {
 
 Material material(const Vec3& kd, const Vec3& ks, const Vec3& kt) {
@@ -168,3 +170,5 @@ TEST_CASE("a lobe with probability 0 is never chosen, not even by xi = 0") {
   CHECK(chosen({0, 1, 0}, largest) == Lobe::specular);
   CHECK(chosen({0, 0, 1}, largest) == Lobe::refraction);
 }
+
+TEST_SUITE_END();

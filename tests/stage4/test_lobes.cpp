@@ -9,6 +9,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage4::PathTracer;
 
+TEST_SUITE_BEGIN("analytic scenes");
+
 namespace {
 
 RenderSettings bounces(int max_bounces) {
@@ -119,3 +121,5 @@ TEST_CASE("a lamp in a mirror lights the floor") {
   CAPTURE(pixel.mean[0]);
   CHECK(deviations(pixel, 0, mirrored_lamp_radiance()) < 4.4);
 }
+
+TEST_SUITE_END();

@@ -9,6 +9,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage4::PathTracer;
 
+TEST_SUITE_BEGIN("relations");
+
 TEST_CASE("with a bound of N bounces the picture is stage 3's") {
   struct Case {
     std::string scene;
@@ -55,3 +57,5 @@ TEST_CASE("the lab's box: the same bits for any number of threads") {
   const auto other = paint<PathTracer>(scene, settings);
   CHECK(one.radiance.pixels != other.radiance.pixels);
 }
+
+TEST_SUITE_END();

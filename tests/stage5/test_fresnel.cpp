@@ -10,6 +10,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using namespace lightwalk::stage5;
 
+TEST_SUITE_BEGIN("units");
+
 namespace {
 
 constexpr float into = 1 / 1.5f, out_of = 1.5f;
@@ -118,6 +120,10 @@ TEST_CASE(
   CHECK(inside.kt.x == 0);
 }
 
+TEST_SUITE_END();
+
+TEST_SUITE_BEGIN("analytic scenes");
+
 // F + (1 - F) = 1: nothing is lost, and each event's weight is k/p = 1.
 TEST_CASE("a Fresnel glass ball and cube in a white room are invisible") {
   for (const std::string& shape : {ball("thing"), cube("thing")}) {
@@ -188,3 +194,5 @@ TEST_CASE("how often glass reflects is F, and its picture's weight is 1") {
   const Pixel aside = estimate(PathTracer(scene, {}), slanted, 100'000);
   CHECK(aside.mean[0] == doctest::Approx(0.2539).epsilon(0.03));
 }
+
+TEST_SUITE_END();

@@ -9,6 +9,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using namespace lightwalk::stage5;
 
+TEST_SUITE_BEGIN("units");
+
 namespace {
 
 /// The material of a ball of radius 1, seen squarely from outside.
@@ -99,6 +101,10 @@ TEST_CASE("Schlick's colors are the same from both sides") {
   }
 }
 
+TEST_SUITE_END();
+
+TEST_SUITE_BEGIN("analytic scenes");
+
 // kd/pi I / h^2 with the kd of this square: the second of the checkers.
 TEST_CASE("a patterned floor under a light: kd/pi I / h^2") {
   const Scene scene = scene_text(
@@ -141,3 +147,5 @@ TEST_CASE("a glass ball by Fresnel in a white room is invisible on average") {
   CHECK(std::abs(pixel.mean[0] - 1) <=
         4.4 * std::sqrt(pixel.variance(0) / pixel.samples) + 1e-5);
 }
+
+TEST_SUITE_END();

@@ -10,6 +10,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using namespace lightwalk::stage5;
 
+TEST_SUITE_BEGIN("units");
+
 namespace {
 
 /// The hit of the first shape that a ray towards `target` meets.
@@ -336,3 +338,5 @@ TEST_CASE("Schlick's curve goes from the square view to the grazing one") {
   check_color(schlick(squarely, grazing, 0.5f),
               squarely + (grazing - squarely) / 32.0f);
 }
+
+TEST_SUITE_END();

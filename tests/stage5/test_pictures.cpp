@@ -9,6 +9,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage5::PathTracer;
 
+TEST_SUITE_BEGIN("relations");
+
 TEST_CASE("without fresnel and patterns the picture is stage 4's") {
   for (const std::string name :
        {"cornell_box_point", "cornell_box_ceiling",
@@ -113,3 +115,5 @@ TEST_CASE("the same bits for any number of threads, other noise for a seed") {
   const auto other = paint<PathTracer>(scene, settings);
   CHECK(one.radiance.pixels != other.radiance.pixels);
 }
+
+TEST_SUITE_END();

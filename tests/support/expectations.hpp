@@ -31,20 +31,20 @@ std::string factor_in_words(double ratio, double uncertainty = 1e-4);
 /// Fails where `actual` is not `expected`, to a share of `epsilon`; 0 must be
 /// 0. `what` names it: "L = kd/pi I/d^2". False where it fails.
 bool check_value(const std::string& what, double actual, double expected,
-                 double epsilon = 1e-5,
+                 double epsilon = 1e-4,
                  Place place = {__builtin_FILE(), __builtin_LINE()});
 
 /// The same for each channel.
 bool check_color(const std::string& what, const Vec3& actual,
-                 const Vec3& expected, double epsilon = 1e-5,
+                 const Vec3& expected, double epsilon = 1e-4,
                  Place place = {__builtin_FILE(), __builtin_LINE()});
 
 /// The same for loops: the first failure ends the test.
 void require_value(const std::string& what, double actual, double expected,
-                   double epsilon = 1e-5,
+                   double epsilon = 1e-4,
                    Place place = {__builtin_FILE(), __builtin_LINE()});
 void require_color(const std::string& what, const Vec3& actual,
-                   const Vec3& expected, double epsilon = 1e-5,
+                   const Vec3& expected, double epsilon = 1e-4,
                    Place place = {__builtin_FILE(), __builtin_LINE()});
 
 /// Fails where the mean of many samples is not `expected`, but for their
