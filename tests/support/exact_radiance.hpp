@@ -12,6 +12,7 @@
 #include <sstream>
 #include <string>
 
+#include "support/expectations.hpp"
 #include "support/renders.hpp"
 
 namespace lightwalk::tests {
@@ -78,7 +79,9 @@ inline std::string wrong_mean(const Pixel& pixel,
     says << "channel " << c << ": mean " << pixel.mean[c] << " +- " << sigma
          << ", expected " << expected[c];
     if (expected[c] != 0) {
-      says << ", which is " << pixel.mean[c] / expected[c] << " times that";
+      says << ": "
+           << factor_in_words(pixel.mean[c] / expected[c],
+                              sigma / std::abs(expected[c]));
     }
     return says.str();
   }
