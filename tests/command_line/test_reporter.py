@@ -60,9 +60,7 @@ class Reporter(unittest.TestCase):
 
     def test_notes_are_kept(self):
         self.assert_says(
-            "relation notes",
-            "1 test passes note: box: its variance is 2.7 times the golden's",
-            code=0,
+            "relation notes", "1 test passes note: box: its variance is 2.7 times the golden's", code=0
         )
         self.assert_says("relation notes,unit factor", "note: box: its variance")
 

@@ -46,8 +46,9 @@ TEST_CASE("a lamp is as bright from the side as from the front") {
   for (const Vec3 direction :
        {Vec3(0, -1, 0), Vec3(0.6f, -0.8f, 0), Vec3(0, -0.1f, 1)}) {
     const Ray ray{{0, 1, 0}, normalize(direction)};
-    check_color("ke towards " + text_of(-ray.direction) + ", without a cosine",
-                tracer(scene, 0).radiance(ray, random), Vec3(2));
+    check_color(
+        "ke towards " + text_of(-ray.direction) + ", without a cosine",
+        tracer(scene, 0).radiance(ray, random), Vec3(2));
   }
 }
 
@@ -105,8 +106,8 @@ TEST_CASE("no light leaks through a crack a hundredth wide") {
   Random random(1, 0, 0);
   for (int i = 0; i < 100; ++i) {
     const Ray ray{{0, 0.005f, 0}, {0.6f, -0.8f, 0}};
-    require_color("a floor under a plate", tracer(scene, 1).radiance(ray, random),
-                  Vec3(0));
+    require_color("a floor under a plate",
+                  tracer(scene, 1).radiance(ray, random), Vec3(0));
   }
 }
 

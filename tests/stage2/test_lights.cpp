@@ -41,8 +41,7 @@ class Square {
     return "points in a cell of 12 x 12 on the lamp: " + text_of(*fewest) +
            " to " + text_of(*most) + ", expected about " +
            text_of(std::round(double(samples) / (size * size))) +
-           "; outside the lamp " + text_of(observed_.back()) +
-           ", expected 0";
+           "; outside the lamp " + text_of(observed_.back()) + ", expected 0";
   }
 
  private:
@@ -131,7 +130,8 @@ TEST_CASE("a point light gives I/d^2 to what faces it") {
   const Vec3 x(1, 2, 2);  // 3 from the origin, and 6 from (5, 6, 4)
   const Vec3 power(9, 18, 36);
   const Vec2 u(0.3f, 0.6f);
-  check_color("I/d^2 at d = 3", sample_light(PointLight{Vec3(0), power}, x, u).weight,
+  check_color("I/d^2 at d = 3",
+              sample_light(PointLight{Vec3(0), power}, x, u).weight,
               power / 9.0f);
   check_color("I/d^2 at d = 6",
               sample_light(PointLight{{5, 6, 4}, power}, x, u).weight,

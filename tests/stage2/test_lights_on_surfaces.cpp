@@ -114,7 +114,7 @@ std::vector<float> floor_samples(const Scene& scene, const Place& place) {
 constexpr Cover covers[] = {Cover::plane, Cover::ball, Cover::rectangle,
                             Cover::triangle};
 const char* name(Lamp lamp) {
-  return lamp == Lamp::point ? "a point light"
+  return lamp == Lamp::point  ? "a point light"
          : lamp == Lamp::ball ? "a ball"
                               : "a rectangle";
 }

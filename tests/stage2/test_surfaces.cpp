@@ -150,9 +150,9 @@ TEST_CASE("no light from outside gets into a ball") {
   const PathTracer tracer(scene, bounces(3));
   for (std::uint64_t i = 0; i < 100; ++i) {
     Random random(1, 0, i);
-    require_color(
-        "the inside of a ball, with all lights outside",
-        tracer.radiance({{0, 0.5f, 0}, {0.6f, -0.8f, 0}}, random), Vec3(0));
+    require_color("the inside of a ball, with all lights outside",
+                  tracer.radiance({{0, 0.5f, 0}, {0.6f, -0.8f, 0}}, random),
+                  Vec3(0));
   }
 }
 

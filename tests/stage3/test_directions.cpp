@@ -47,8 +47,9 @@ TEST_CASE("a mirror: equal angles, on the other side of the normal") {
   for (const double degrees : {0.0, 10.0, 45.0, 80.0, 89.0}) {
     const Vec3 wi = reflect(at_angle(degrees), up);
     const Vec3 expected = at_angle(-degrees);
-    INFO("wo at ", degrees, " degrees to the normal (0, 0, 1) is reflected to ",
-         wi, ", expected ", expected, ", away from the surface");
+    INFO("wo at ", degrees,
+         " degrees to the normal (0, 0, 1) is reflected to ", wi,
+         ", expected ", expected, ", away from the surface");
     CHECK(length(wi - expected) < 2e-6f);
   }
 }
@@ -57,7 +58,8 @@ TEST_CASE("mirrored twice is where it was, for any normal") {
   const Vec3 wo = normalize(Vec3(0.3f, -0.5f, 0.8f));
   for (const Vec3& normal : test_normals(100)) {
     const Vec3 twice = reflect(reflect(wo, normal), normal);
-    INFO("wo = ", wo, " mirrored twice at the normal ", normal, " is ", twice);
+    INFO("wo = ", wo, " mirrored twice at the normal ", normal, " is ",
+         twice);
     REQUIRE(length(twice - wo) < 1e-5f);
   }
 }
@@ -77,11 +79,12 @@ TEST_CASE("Snell's law, into glass and out of it") {
          ", expected theta_i = ", one.to);
     const auto wi = refract(at_angle(one.from), up, one.eta_ratio);
     REQUIRE(wi.has_value());
-    check_value("sin theta_i = eta_o/eta_i sin theta_o: theta_i in degrees "
-                "for theta_o = " +
-                    text_of(one.from) + " and eta_o/eta_i = " +
-                    text_of(static_cast<double>(one.eta_ratio)),
-                angle_to(*wi, -up), one.to, one.to == 0 ? 0 : 1.1e-4);
+    check_value(
+        "sin theta_i = eta_o/eta_i sin theta_o: theta_i in degrees "
+        "for theta_o = " +
+            text_of(one.from) + " and eta_o/eta_i = " +
+            text_of(static_cast<double>(one.eta_ratio)),
+        angle_to(*wi, -up), one.to, one.to == 0 ? 0 : 1.1e-4);
     INFO("wi = ", *wi, " is on the side of the normal that wo is on");
     CHECK(wi->x <= 0);
   }
@@ -106,10 +109,12 @@ TEST_CASE("total internal reflection begins at 41.81 degrees inside glass") {
   const auto check = [](double degrees, float eta_ratio, bool passes) {
     const bool passed = refract(at_angle(degrees), up, eta_ratio).has_value();
     if (passed == passes) return;
-    FAIL_CHECK("at " << degrees << " degrees with eta_o/eta_i = " << eta_ratio
-                     << (passes ? " nothing passes, expected a direction"
-                                : " light passes, expected none: all of it "
-                                  "is reflected"));
+    FAIL_CHECK(
+        "at " << degrees << " degrees with eta_o/eta_i = " << eta_ratio
+              << std::string(passes
+                                 ? " nothing passes, expected a direction"
+                                 : " light passes, expected none: all of it "
+                                   "is reflected"));
   };
   check(41.80, 1.5f, true);
   check(41.82, 1.5f, false);
@@ -154,15 +159,16 @@ TEST_CASE("the lobe of refraction bends wo about the normal on its side") {
     // sin 20 / 1.5 = sin 13.1801, and sin 20 * 1.5 = sin 30.8659.
     const Vec3 expected = -side * at_angle(side > 0 ? 13.180114 : 30.865883);
     if (length(wi - expected) < 1e-4f) continue;
-    const Vec3 swapped = refract(surface.normal, wo, relative_eta(surface))
-                             .value_or(Vec3(0));
-    FAIL_CHECK((side > 0 ? "outside" : "inside")
-               << " glass, wo = " << wo << " is bent to " << wi
-               << ", expected " << expected
-               << (length(wi - swapped) < 1e-4f
-                       ? ": is wo the first argument of refract, and the "
-                         "normal the second?"
-                       : ""));
+    const Vec3 swapped =
+        refract(surface.normal, wo, relative_eta(surface)).value_or(Vec3(0));
+    FAIL_CHECK(
+        std::string(side > 0 ? "outside" : "inside")
+        << " glass, wo = " << wo << " is bent to " << wi << ", expected "
+        << expected
+        << std::string(length(wi - swapped) < 1e-4f
+                           ? ": is wo the first argument of refract, and the "
+                             "normal the second?"
+                           : ""));
   }
 }
 
@@ -192,8 +198,8 @@ TEST_CASE("each lobe's weight is its coefficient, without a cosine") {
                   one(Lobe::specular).weight, material.ks);
       CHECK_MESSAGE(
           length(one(Lobe::specular).wi - side * reflect(wo, up)) < 1e-5f,
-          "the mirrored direction is ", one(Lobe::specular).wi,
-          ", expected ", side * reflect(wo, up));
+          "the mirrored direction is ", one(Lobe::specular).wi, ", expected ",
+          side * reflect(wo, up));
       const BsdfSample refracted = one(Lobe::refraction);
       if (side < 0 && degrees > 41) {
         check_color("weight where all is reflected, kt", refracted.weight,

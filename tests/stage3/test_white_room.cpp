@@ -142,10 +142,9 @@ TEST_CASE("each material has its own eta") {
         in_white_room("{ kt = 1, eta = " + eta + " }", ball("thing"));
     const PathTracer tracer(scene, bounces(1));
     Random random(1, 0, 0);
-    check_value("a white room seen from inside a material of eta " + eta +
-                    ", eta^2",
-                red(tracer.radiance({{0.1f, 0, 0}, {0, 0, 1}}, random)),
-                inside);
+    check_value(
+        "a white room seen from inside a material of eta " + eta + ", eta^2",
+        red(tracer.radiance({{0.1f, 0, 0}, {0, 0, 1}}, random)), inside);
     check_all_rays(scene, 8, 1);
   }
 }

@@ -110,9 +110,9 @@ TEST_CASE("without a bound all the light is there") {
   const double truth[] = {4, 2.0 / 3, 1.0 / 9};
   for (int c = 0; c < 3; ++c) {
     // Where nearly all paths agree, it is rounding that sets them apart.
-    check_mean("kd + kd^2 + ... = kd / (1 - kd), channel " +
-                   std::to_string(c),
-               pixel, c, truth[c]);
+    check_mean(
+        "kd + kd^2 + ... = kd / (1 - kd), channel " + std::to_string(c),
+        pixel, c, truth[c]);
   }
 }
 
@@ -141,9 +141,9 @@ TEST_CASE("each lobe keeps its color, whichever event is drawn") {
       estimate(PathTracer(scene, settings), {{0, 0, -5}, {0, 0, 1}}, 100'000);
   const double truth[] = {0.9, 0.9, 0.1};
   for (int c = 0; c < 3; ++c) {
-    check_mean("kd + ks of plastic in a white room, channel " +
-                   std::to_string(c),
-               pixel, c, truth[c]);
+    check_mean(
+        "kd + ks of plastic in a white room, channel " + std::to_string(c),
+        pixel, c, truth[c]);
   }
 }
 
@@ -173,9 +173,9 @@ TEST_CASE("what loses no light is invisible in a white room, in the mean") {
       pixel.add(Vec3(radiance));
     }
     if (one.exact) all.check(one.material);
-    check_mean("a ball in a white room, material = " +
-                   std::string(one.material),
-               pixel, 0, 1);
+    check_mean(
+        "a ball in a white room, material = " + std::string(one.material),
+        pixel, 0, 1);
   }
 }
 

@@ -162,8 +162,7 @@ TEST_CASE("the probability that comes with a lobe is its own") {
     if (!choice) continue;
     const std::size_t event = event_of(choice);
     check_value("the probability that comes with the event for xi = " +
-                    text_of(static_cast<double>(xi)) +
-                    " of (0.4, 0.3, 0.2)",
+                    text_of(static_cast<double>(xi)) + " of (0.4, 0.3, 0.2)",
                 static_cast<double>(choice->probability), expected[event]);
   }
   INFO(absorbed, " of 10 numbers xi mean absorption, expected 1");

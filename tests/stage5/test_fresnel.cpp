@@ -132,8 +132,8 @@ TEST_CASE(
   hit = *scene.nearest_hit({{0, 0, 0}, {0, 0, 1}});
   const Vec3 slanted = normalize(Vec3(0.8f, 0, -0.6f));  // 53 degrees, inside
   const Material inside = material_at(scene, hit, slanted);
-  check_value("F ks inside, beyond the critical angle, F = 1",
-              red(inside.ks), 0.8);
+  check_value("F ks inside, beyond the critical angle, F = 1", red(inside.ks),
+              0.8);
   check_value("(1 - F) kt inside, beyond the critical angle, F = 1",
               red(inside.kt), 0);
 }

@@ -103,11 +103,10 @@ TEST_CASE("Schlick's colors are the same from both sides") {
   // cos = 1/2: 0.2 + 0.6 / 32.
   const Vec3 aside(0.8660254f, 0, 0);
   for (const float side : {-0.5f, 0.5f}) {
-    check_value(
-        "k0 + (k90 - k0)(1 - cos)^5 with |cos| = 1/2, seen from " +
-            std::string(side < 0 ? "outside" : "inside"),
-        red(material_at(scene, *hit, aside + Vec3(0, 0, side)).ks),
-        0.2 + 0.6 / 32);
+    check_value("k0 + (k90 - k0)(1 - cos)^5 with |cos| = 1/2, seen from " +
+                    std::string(side < 0 ? "outside" : "inside"),
+                red(material_at(scene, *hit, aside + Vec3(0, 0, side)).ks),
+                0.2 + 0.6 / 32);
   }
 }
 

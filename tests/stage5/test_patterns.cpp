@@ -111,8 +111,10 @@ TEST_CASE("a picture on a plane stands upright and is not mirrored") {
     const auto uv = [&](const Vec3& x) { return uv_at(scene, {0, 0, 0}, x); };
     const Vec2 u = uv(one.low_left + one.right) - uv(one.low_left);
     const Vec2 v = uv(one.low_left + one.up) - uv(one.low_left);
-    INFO("to the right (u, v) changes by ", u, ", expected (1, 0), and "
-         "upwards by ", v, ", expected (0, 1)");
+    INFO("to the right (u, v) changes by ", u,
+         ", expected (1, 0), and "
+         "upwards by ",
+         v, ", expected (0, 1)");
     CHECK(glm::length(u - Vec2(1, 0)) < 1e-4f);
     CHECK(glm::length(v - Vec2(0, 1)) < 1e-4f);
   }

@@ -76,11 +76,10 @@ class BriefReporter : public doctest::IReporter {
       if (!crashed_) tell({"done", std::to_string(tests)});
       return;
     }
-    *options_.cout << report_.summary(
-                          tests, std::filesystem::absolute(
-                                     options_.binary_name.c_str())
-                                     .lexically_normal()
-                                     .string())
+    *options_.cout << report_.summary(tests, std::filesystem::absolute(
+                                                 options_.binary_name.c_str())
+                                                 .lexically_normal()
+                                                 .string())
                    << std::flush;
   }
 

@@ -73,8 +73,9 @@ inline void check_same_bits(const RenderResult& test,
 inline void check_other_noise(const RenderResult& test,
                               const RenderResult& reference) {
   if (test.radiance.pixels == reference.radiance.pixels) {
-    FAIL_CHECK("with another seed every pixel is the same: no random number "
-               "comes from `random`");
+    FAIL_CHECK(
+        "with another seed every pixel is the same: no random number "
+        "comes from `random`");
   }
 }
 

@@ -108,7 +108,8 @@ void check_radiance(const std::string& what, const Scene& scene,
   }
   if (!all_right) pixel = estimate(tracer, ray, samples);
   INFO(what, ", at most ", settings.max_bounces, " bounces, ",
-       settings.sampling == Sampling::uniform ? "uniform" : "cosine",
+       std::string(settings.sampling == Sampling::uniform ? "uniform"
+                                                          : "cosine"),
        " sampling");
   INFO("samples that are infinite or not a number: ", pixel.dropped);
   CHECK(pixel.dropped == 0);

@@ -79,17 +79,16 @@ std::string factor_in_words(double ratio, double uncertainty) {
     double value;
   };
   const double pi = std::acos(-1.0);
-  const Factor factors[] = {
-      {"2", "1/2", 2},
-      {"3", "1/3", 3},
-      {"4", "1/4", 4},
-      {"pi", "1/pi", pi},
-      {"2 pi", "1/(2 pi)", 2 * pi},
-      {"4 pi", "1/(4 pi)", 4 * pi},
-      {"pi^2", "1/pi^2", pi * pi},
-      {"1.5 (eta)", "1/1.5 (1/eta)", 1.5},
-      {"2.25 (eta^2)", "1/2.25 (1/eta^2)", 2.25},
-      {"5.0625 (eta^4)", "1/5.0625 (1/eta^4)", 5.0625}};
+  const Factor factors[] = {{"2", "1/2", 2},
+                            {"3", "1/3", 3},
+                            {"4", "1/4", 4},
+                            {"pi", "1/pi", pi},
+                            {"2 pi", "1/(2 pi)", 2 * pi},
+                            {"4 pi", "1/(4 pi)", 4 * pi},
+                            {"pi^2", "1/pi^2", pi * pi},
+                            {"1.5 (eta)", "1/1.5 (1/eta)", 1.5},
+                            {"2.25 (eta^2)", "1/2.25 (1/eta^2)", 2.25},
+                            {"5.0625 (eta^4)", "1/5.0625 (1/eta^4)", 5.0625}};
   const double tolerance = std::max(3 * uncertainty, 1e-4);
   std::string name = formatted("%.4g", ratio);
   // Where the noise leaves more than one, none is named.
@@ -136,16 +135,16 @@ bool check_mean(const std::string& what, const Pixel& pixel, int channel,
                 double expected, double rounding, Place place) {
   const double mean = pixel.mean[channel];
   const double sigma =
-      pixel.samples == 0
-          ? 0
-          : std::sqrt(pixel.variance(channel) / pixel.samples);
+      pixel.samples == 0 ? 0
+                         : std::sqrt(pixel.variance(channel) / pixel.samples);
   const double size = std::abs(expected);
   if (pixel.samples > 0 && pixel.dropped == 0 &&
-      std::abs(mean - expected) <= most_deviations * sigma + rounding * size) {
+      std::abs(mean - expected) <=
+          most_deviations * sigma + rounding * size) {
     return true;
   }
-  std::string words = difference_in_words(
-      mean, expected, expected == 0 ? 1 : sigma / size);
+  std::string words =
+      difference_in_words(mean, expected, expected == 0 ? 1 : sigma / size);
   if (pixel.dropped > 0) {
     words = std::to_string(pixel.dropped) +
             " samples are infinite or not a number";

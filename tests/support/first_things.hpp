@@ -96,9 +96,9 @@ void check_unit_directions(const std::string& material) {
   for (std::uint64_t i = 0; i < 100; ++i) {
     const PathLog log = listen_to(tracer, {{0.3f, 0.2f, -5}, {0, 0, 1}}, i);
     for (const Ray& ray : log.rays) {
-      require_value("the length of the direction of a ray on material = " +
-                        material,
-                    static_cast<double>(length(ray.direction)), 1, 1e-4);
+      require_value(
+          "the length of the direction of a ray on material = " + material,
+          static_cast<double>(length(ray.direction)), 1, 1e-4);
     }
     for (const PathVertex& vertex : log.vertices) {
       for (const ShadowRay& shadow : vertex.shadow_rays) {

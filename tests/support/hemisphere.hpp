@@ -96,22 +96,20 @@ inline HemisphereCounts count_hemisphere(
     if (off <= farthest) continue;
     farthest = off;
     const double low = static_cast<double>(i / sectors) / rings;
-    result.fullest = text_of(observed[i]) + " directions where " +
-                     text_of(std::round(expected[i])) +
-                     " are expected: cos from " + text_of(low) + " to " +
-                     text_of(low + 1.0 / rings) + ", phi from " +
-                     std::to_string(360 * (i % sectors) / sectors) + " to " +
-                     std::to_string(360 * (i % sectors + 1) / sectors) +
-                     " degrees";
+    result.fullest =
+        text_of(observed[i]) + " directions where " +
+        text_of(std::round(expected[i])) + " are expected: cos from " +
+        text_of(low) + " to " + text_of(low + 1.0 / rings) + ", phi from " +
+        std::to_string(360 * (i % sectors) / sectors) + " to " +
+        std::to_string(360 * (i % sectors + 1) / sectors) + " degrees";
   }
   return result;
 }
 
 /// Fails unless a sampler has the density that is called `density`.
-inline void check_hemisphere(const std::string& density,
-                             const HemisphereSampler& sampler,
-                             const Vec3& normal,
-                             const std::function<double(double)>& cumulative) {
+inline void check_hemisphere(
+    const std::string& density, const HemisphereSampler& sampler,
+    const Vec3& normal, const std::function<double(double)>& cumulative) {
   const HemisphereCounts counts =
       count_hemisphere(sampler, normal, cumulative);
   if (counts.p_value > significance) return;

@@ -101,9 +101,9 @@ inline void check_same_noise(const std::string& what, const Image& test,
                                 : ", the tile from column " +
                                       std::to_string(region.left) + ", row " +
                                       std::to_string(region.top) + " on")
-                      << ": mean " << colors[channel] << ' ' << a << " +- "
-                      << sigma << ", expected " << b << " as unmoved, "
-                      << a / b << " times it");
+                      << ": mean " << std::string(colors[channel]) << ' ' << a
+                      << " +- " << sigma << ", expected " << b
+                      << " as unmoved, " << a / b << " times it");
       return;  // others say the same
     }
   }
@@ -129,10 +129,10 @@ void check_moved(const std::string& name, int samples, int max_bounces) {
                                           {1, {0, 0, 1e4f}},
                                           {1, {5770, 5770, 5770}}}};
   for (const Motion& motion : motions) {
-    check_same_noise(
-        name + " scaled by " + text_of(static_cast<double>(motion.scale)) +
-            " and moved by " + text_of(motion.move),
-        picture(motion), unmoved);
+    check_same_noise(name + " scaled by " +
+                         text_of(static_cast<double>(motion.scale)) +
+                         " and moved by " + text_of(motion.move),
+                     picture(motion), unmoved);
   }
   check_same_noise(name + " with spheres of radius 1e5 for walls",
                    picture({}, 1e5f), unmoved);

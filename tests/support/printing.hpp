@@ -21,7 +21,8 @@ inline std::string text_of(double number) {
 
 inline std::string text_of(const Vec3& v) {
   std::ostringstream text;
-  text << '(' << v.x << ", " << v.y << ", " << v.z << ')';
+  // 0 has no sign worth reading.
+  text << '(' << v.x + 0 << ", " << v.y + 0 << ", " << v.z + 0 << ')';
   return text.str();
 }
 

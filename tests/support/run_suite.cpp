@@ -70,8 +70,7 @@ class Stopwatch {
   /// Of each thread, as Linux counts them; elsewhere none.
   std::map<std::string, Times> times() const {
     std::map<std::string, Times> result;
-    const std::string folder =
-        "/proc/" + std::to_string(process_) + "/task/";
+    const std::string folder = "/proc/" + std::to_string(process_) + "/task/";
     if (DIR* const tasks = opendir(folder.c_str())) {
       while (const dirent* const task = readdir(tasks)) {
         std::ifstream file(folder + task->d_name + "/schedstat");
@@ -99,7 +98,8 @@ std::string crash_in_words(int signal) {
     case SIGFPE:
       return "an integer was divided by zero";
     case SIGABRT:
-      return "std::abort: a failed assert, or an exception that nobody caught; "
+      return "std::abort: a failed assert, or an exception that nobody "
+             "caught; "
              "the lines above may say which";
     default:
       return std::string("signal ") + strsignal(signal);
@@ -116,7 +116,8 @@ struct Listener {
   void hear(const std::string& text, Stopwatch& watch) {
     unread += text;
     for (std::size_t end; (end = unread.find('\n')) != std::string::npos;) {
-      const std::vector<std::string> fields = fields_of(unread.substr(0, end));
+      const std::vector<std::string> fields =
+          fields_of(unread.substr(0, end));
       unread.erase(0, end + 1);
       const std::string& what = fields[0];
       if (what == "begin" && fields.size() == 3) {
@@ -159,8 +160,7 @@ pid_t start(const std::vector<std::string>& command, int pipe_end) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing is left behind
 #endif
   execv(words[0], words.data());
-  std::fprintf(stderr, "run_suite: %s: %s\n", words[0],
-               std::strerror(errno));
+  std::fprintf(stderr, "run_suite: %s: %s\n", words[0], std::strerror(errno));
   std::_Exit(127);
 }
 
@@ -225,7 +225,8 @@ std::string broken_off(const End& end, const Listener& suite,
   const std::string code = std::to_string(WEXITSTATUS(end.status));
   if (!suite.done) {
     return "The program left by std::exit or the like, exit code " + code +
-           "," + when + "so the tests did not come to their end, and have "
+           "," + when +
+           "so the tests did not come to their end, and have "
            "not passed.";
   }
   if (code != "0" && !suite.report.failed()) {

@@ -76,8 +76,8 @@ std::string rays_that_see_something(const ThinGaps& things, int rays) {
     const Ray ray{things.center + things.size * from, normalize(to - from)};
     const float radiance = tracer.radiance(ray, random).x;
     if (first.empty() && !(std::abs(radiance - 1) <= 1e-5f)) {
-      first = "from " + text_of(ray.origin) + " along " +
-              text_of(ray.direction);
+      first =
+          "from " + text_of(ray.origin) + " along " + text_of(ray.direction);
     }
     all.add(radiance);
   }
@@ -100,9 +100,9 @@ void check_thin_gaps() {
               rays_that_see_something<PathTracer>(things, 1000);
           if (wrong.empty()) return;
           FAIL_CHECK(std::string(what)
-                     << " in a white room, all that is thin " << gap
-                     << " times its size of " << size << ", "
-                     << length(center) << " from the origin: " << wrong);
+                     << " in a white room (size " << size << ", gap "
+                     << gap * size << ", " << length(center)
+                     << " from the origin): " << wrong);
         };
         const Vec3 low(-0.5f, -0.5f, 0), high(0.5f, 0.5f, 0.4f);
         check("pane", [&](ThinGaps& t) {
