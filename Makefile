@@ -92,9 +92,11 @@ test: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS)
 	@ctest --test-dir $(BUILD) --no-tests=error --output-on-failure -j $(JOBS)
 
+# The header by itself first: what the compiler says about it comes once.
 $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
-	@cmake --build $(BUILD) -j $(JOBS) --target $* $*_tests
-	@cd $(BUILD) && ./$*_tests -r=brief
+	@cmake --build $(BUILD) -j $(JOBS) --target $*_header
+	@cmake --build $(BUILD) -j $(JOBS) --target $*_tests
+	@cd $(BUILD) && ./run_suite ./$*_tests -r=brief
 
 # make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml OPTIONS="--spp 64": A and
 # B may be stages, images, or programs. Exit code 1 where they differ.

@@ -4,10 +4,14 @@
 
 #include "stages/1_diffuse/path_tracer.hpp"
 #include "support/each_or_mean.hpp"
+#include "support/expectations.hpp"
+#include "support/renders.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage1::PathTracer;
+
+TEST_SUITE_BEGIN("analytic scenes");
 
 namespace {
 
@@ -50,7 +54,7 @@ TEST_CASE("a floor under a uniform sky is kd ke, in every single sample") {
       Random random(1, 0, sample);
       all.add(tracer.radiance(down, random)[c]);
     }
-    all.check("the floor, channel " + std::to_string(c));
+    all.check("L = kd ke with p = cos/pi, channel " + std::to_string(c));
   }
 }
 
@@ -63,11 +67,11 @@ TEST_CASE(
   const Pixel pixel = estimate(
       PathTracer(scene, settings(1, Sampling::uniform)), down, 100'000);
   for (int c = 0; c < 3; ++c) {
-    CAPTURE(c);
     const double truth = static_cast<double>(expected[c]);
-    CAPTURE(pixel.mean[c] / truth);
-    CHECK(deviations(pixel, c, truth) < 4.4);
-    check_variance("the floor", pixel, c, truth * truth / 3, 0.02);
+    const std::string what =
+        "L = kd ke with p = 1/(2 pi), channel " + std::to_string(c);
+    check_mean(what, pixel, c, truth);
+    check_variance(what + ", (kd ke)^2/3", pixel, c, truth * truth / 3, 0.02);
   }
 }
 
@@ -75,9 +79,11 @@ TEST_CASE("without bounces only what emits is seen") {
   const Scene scene = scene_text(floor_and_ceiling);
   const PathTracer tracer(scene, settings(0, Sampling::cosine));
   Random random(1, 0, 0);
-  CHECK(tracer.radiance(down, random) == Vec3(0));
+  check_color("a floor with max_bounces 0", tracer.radiance(down, random),
+              Vec3(0));
   const Ray up{{0, 0, 0}, {0.6f, 0.8f, 0}};
-  CHECK(tracer.radiance(up, random) == Vec3(1.5f, 3, 6));
+  check_color("a sky of radiance ke with max_bounces 0",
+              tracer.radiance(up, random), Vec3(1.5f, 3, 6));
 }
 
 TEST_CASE("a lamp shines on the side of its normal only") {
@@ -93,15 +99,18 @@ material = "lamp"
 )");
   const PathTracer tracer(scene, settings(8, Sampling::cosine));
   Random random(1, 0, 0);
-  CHECK(tracer.radiance({{0, 0, 5}, {0, 0, -1}}, random) == Vec3(2));
-  CHECK(tracer.radiance({{0, 0, -5}, {0, 0, 1}}, random) == Vec3(0));
+  check_color("ke of a lamp from the front",
+              tracer.radiance({{0, 0, 5}, {0, 0, -1}}, random), Vec3(2));
+  check_color("ke of a lamp from behind",
+              tracer.radiance({{0, 0, -5}, {0, 0, 1}}, random), Vec3(0));
 }
 
 TEST_CASE("a ray that meets nothing brings nothing") {
   const Scene scene = scene_text(floor_and_ceiling);
   const PathTracer tracer(scene, settings(8, Sampling::cosine));
   Random random(1, 0, 0);
-  CHECK(tracer.radiance({{0, 0, 0}, {1, 0, 0}}, random) == Vec3(0));
+  check_color("a ray along the floor that never meets it",
+              tracer.radiance({{0, 0, 0}, {1, 0, 0}}, random), Vec3(0));
 }
 
 // A ball of radius r = 1/2 that emits ke, within a diffuse sphere of radius 1.
@@ -131,12 +140,13 @@ material = "lamp"
     expected += term;
     term *= q;
     for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
-      CAPTURE(max_bounces);
-      CAPTURE(sampling == Sampling::uniform);
       const PathTracer tracer(scene, settings(max_bounces, sampling));
       const Pixel pixel = estimate(tracer, outwards, 40'000);
-      INFO("mean ", pixel.mean[0], ", expected ", expected);
-      CHECK(deviations(pixel, 0, expected) < 4.4);
+      check_mean("kd ke F (1 + q + ...), " + std::to_string(max_bounces) +
+                     " bounces, " +
+                     (sampling == Sampling::uniform ? "uniform" : "cosine") +
+                     " sampling",
+                 pixel, 0, expected);
     }
   }
 }
@@ -152,5 +162,8 @@ TEST_CASE("red and blue swapped in the scene are swapped in the radiance") {
   const auto cosine = settings(1, Sampling::cosine);
   const Vec3 one = PathTracer(scene, cosine).radiance(down, a);
   const Vec3 other = PathTracer(swapped, cosine).radiance(down, b);
-  CHECK(one == Vec3(other.z, other.y, other.x));
+  check_color("the same colors, and the other way round", one,
+              Vec3(other.z, other.y, other.x), 0);
 }
+
+TEST_SUITE_END();

@@ -11,6 +11,8 @@ using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage1::PathTracer;
 
+TEST_SUITE_BEGIN("relations");
+
 TEST_CASE("uniform and cosine sampling paint the same picture") {
   const Scene scene = scene_file("cornell_box_ceiling_diffuse");
   RenderSettings settings;
@@ -33,11 +35,12 @@ TEST_CASE("the same bits for any number of threads, other noise for a seed") {
     CAPTURE(threads);
     settings.threads = threads;
     const RenderResult again = paint<PathTracer>(scene, settings);
-    CHECK(again.radiance.pixels == one.radiance.pixels);
-    CHECK(again.variance.pixels == one.variance.pixels);
+    check_same_bits(again, one);
   }
   settings.seed = 2;
   settings.threads = 2;
   const RenderResult other = paint<PathTracer>(scene, settings);
-  CHECK(other.radiance.pixels != one.radiance.pixels);
+  check_other_noise(other, one);
 }
+
+TEST_SUITE_END();

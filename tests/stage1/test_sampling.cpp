@@ -3,11 +3,14 @@
 #include <doctest/doctest.h>
 
 #include "stages/1_diffuse/path_tracer.hpp"
+#include "support/expectations.hpp"
 #include "support/hemisphere.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
 using namespace lightwalk::stage1;
+
+TEST_SUITE_BEGIN("units");
 
 TEST_CASE("uniform directions are unit vectors above the surface") {
   check_directions(sample_uniform_hemisphere);
@@ -20,11 +23,8 @@ TEST_CASE("cosine directions are unit vectors above the surface") {
 // Equal solid angles are equal steps of the cosine: P(cos < c) = c.
 TEST_CASE("uniform directions fill the hemisphere evenly") {
   for (const Vec3& normal : test_normals(4)) {
-    CAPTURE(normal.x);
-    CAPTURE(normal.y);
-    CAPTURE(normal.z);
-    CHECK(hemisphere_p_value(sample_uniform_hemisphere, normal,
-                             [](double c) { return c; }) > significance);
+    check_hemisphere("p = 1/(2 pi)", sample_uniform_hemisphere, normal,
+                     [](double c) { return c; });
   }
 }
 
@@ -32,11 +32,8 @@ TEST_CASE("uniform directions fill the hemisphere evenly") {
 TEST_CASE(
     "cosine directions fill the hemisphere in proportion to the cosine") {
   for (const Vec3& normal : test_normals(4)) {
-    CAPTURE(normal.x);
-    CAPTURE(normal.y);
-    CAPTURE(normal.z);
-    CHECK(hemisphere_p_value(sample_cosine_hemisphere, normal,
-                             [](double c) { return c * c; }) > significance);
+    check_hemisphere("p = cos/pi", sample_cosine_hemisphere, normal,
+                     [](double c) { return c * c; });
   }
 }
 
@@ -51,17 +48,15 @@ TEST_CASE("the densities integrate to 1 over the hemisphere") {
     cosine += static_cast<double>(cosine_hemisphere_pdf(cos_theta) * two_pi) /
               rings;
   }
-  CHECK(uniform == doctest::Approx(1).epsilon(1e-5));
-  CHECK(cosine == doctest::Approx(1).epsilon(1e-5));
+  check_value("the integral of p = 1/(2 pi)", uniform, 1, 1e-5);
+  check_value("the integral of p = cos/pi", cosine, 1, 1e-5);
 }
 
 TEST_CASE("the BRDF is kd / pi") {
   Material material;
   material.kd = {0.9f, 0.5f, 0.1f};
   const Vec3 brdf = evaluate(material);
-  CHECK(brdf.x == doctest::Approx(0.9 / 3.14159265));
-  CHECK(brdf.y == doctest::Approx(0.5 / 3.14159265));
-  CHECK(brdf.z == doctest::Approx(0.1 / 3.14159265));
+  check_color("f_r = kd/pi", brdf, material.kd * inverse_pi);
 }
 
 TEST_CASE("the simplified weights are f cos / p") {
@@ -74,16 +69,18 @@ TEST_CASE("the simplified weights are f cos / p") {
   for (int i = 0; i < 1000; ++i) {
     const Vec2 u = random.uniform_2d();
     for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
-      CAPTURE(sampling == Sampling::uniform);
+      const std::string formula =
+          sampling == Sampling::uniform
+              ? "weight = f_r cos / p = 2 kd cos for p = 1/(2 pi)"
+              : "weight = f_r cos / p = kd for p = cos/pi";
       const BsdfSample one = sample(surface, sampling, u);
       const float cos_theta = dot(surface.normal, one.wi);
       const float pdf = sampling == Sampling::uniform
                             ? uniform_hemisphere_pdf()
                             : cosine_hemisphere_pdf(cos_theta);
       const Vec3 full = unsimplified_weight(material, cos_theta, pdf);
-      for (int c = 0; c < 3; ++c) {
-        REQUIRE(one.weight[c] == doctest::Approx(full[c]).epsilon(1e-4));
-      }
+      require_value("length of wi", static_cast<double>(length(one.wi)), 1);
+      require_color(formula, one.weight, full, 1e-3);
     }
   }
 }
@@ -97,18 +94,17 @@ TEST_CASE("the mean weight is the albedo kd") {
   const Surface surface(hit, material, hit.normal);
   Random random(6, 0, 0);
   for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
-    CAPTURE(sampling == Sampling::uniform);
-    double sum[3] = {0, 0, 0};
-    constexpr int samples = 100'000;
-    for (int i = 0; i < samples; ++i) {
-      const Vec2 u = random.uniform_2d();
-      const Vec3 weight = sample(surface, sampling, u).weight;
-      for (int c = 0; c < 3; ++c) sum[c] += static_cast<double>(weight[c]);
+    Pixel weights;
+    for (int i = 0; i < 100'000; ++i) {
+      weights.add(sample(surface, sampling, random.uniform_2d()).weight);
     }
     for (int c = 0; c < 3; ++c) {
-      // sigma of 2 cos is 1/sqrt(3); 4.4 sigma of 100,000 samples are 0.8 %.
-      CHECK(sum[c] / samples ==
-            doctest::Approx(material.kd[c]).epsilon(0.008));
+      check_mean(sampling == Sampling::uniform
+                     ? "the mean of 2 kd cos, which is kd"
+                     : "the mean of the weight kd",
+                 weights, c, static_cast<double>(material.kd[c]), 1e-5);
     }
   }
 }
+
+TEST_SUITE_END();

@@ -6,10 +6,13 @@
 
 #include "stages/2_next_event/path_tracer.hpp"
 #include "support/exact_radiance.hpp"
+#include "support/expectations.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage2::PathTracer;
+
+TEST_SUITE_BEGIN("analytic scenes");
 
 namespace {
 
@@ -75,15 +78,11 @@ TEST_CASE("a point light at height h over a plane: kd/pi I h/(h^2+r^2)^1.5") {
   const Scene scene =
       scene_text(floor_only + point_light("[0, 2, 0]", "[1, 2, 3]"));
   for (const float r : {0.0f, 0.5f, 2.0f, 10.0f}) {
-    CAPTURE(r);
     const Vec3 radiance = one_sample(scene, onto(r), 1);
     const float law = 2 / std::pow(4 + r * r, 1.5f) / pi;
-    CHECK(radiance.x ==
-          doctest::Approx(0.5f * 1 * law).epsilon(1e-5).scale(0));
-    CHECK(radiance.y ==
-          doctest::Approx(0.25f * 2 * law).epsilon(1e-5).scale(0));
-    CHECK(radiance.z ==
-          doctest::Approx(1.0f * 3 * law).epsilon(1e-5).scale(0));
+    check_color("kd/pi I cos/d^2 of a light 2 above the floor, " +
+                    text_of(static_cast<double>(r)) + " aside",
+                radiance, Vec3(0.5f * 1, 0.25f * 2, 1.0f * 3) * law);
   }
 }
 
@@ -107,8 +106,10 @@ TEST_CASE("two lights are the sum of each, and two halves are the whole") {
 
 TEST_CASE("a light behind the surface does not shine through it") {
   const Scene scene = scene_text(floor_only + point_light("[0, -1, 0]", "9"));
-  CHECK(one_sample(scene, onto(0), 1) == Vec3(0));
-  CHECK(one_sample(scene, onto(2), 1) == Vec3(0));
+  check_color("a light below the floor, where cos < 0",
+              one_sample(scene, onto(0), 1), Vec3(0));
+  check_color("a light below the floor, seen from aside",
+              one_sample(scene, onto(2), 1), Vec3(0));
 }
 
 TEST_CASE("what lies between casts a shadow, what lies beyond does not") {
@@ -122,13 +123,16 @@ edge_u = [2, 0, 0]
 edge_v = [0, 0, 2]
 material = "wall"
 )");
-    return one_sample(scene, onto(0), 1).x;
+    return red(one_sample(scene, onto(0), 1));
   };
-  const float unshadowed = 0.5f / pi * 9 / 4;
-  CHECK(with_wall_at("1") == 0);
-  CHECK(with_wall_at("1.999") == 0);
-  CHECK(with_wall_at("2.001") == doctest::Approx(unshadowed));
-  CHECK(with_wall_at("3") == doctest::Approx(unshadowed));
+  const double unshadowed = 0.5 / std::acos(-1.0) * 9 / 4;
+  check_value("a light at 2 behind a wall at 1", with_wall_at("1"), 0);
+  check_value("a light at 2 behind a wall at 1.999", with_wall_at("1.999"),
+              0);
+  check_value("kd/pi I/d^2 of a light at 2 before a wall at 2.001",
+              with_wall_at("2.001"), unshadowed);
+  check_value("kd/pi I/d^2 of a light at 2 before a wall at 3",
+              with_wall_at("3"), unshadowed);
 }
 
 // The share of the cosine-weighted hemisphere that a parallel rectangle a x b
@@ -150,8 +154,8 @@ material = "lamp"
 )");
   const PathTracer tracer(scene, bounces(1));
   const Pixel pixel = estimate(tracer, onto(0), 100'000);
-  INFO("ratio ", pixel.mean[0] / (0.5 * 4 * form_factor));
-  CHECK(deviations(pixel, 0, 0.5 * 4 * form_factor) < 4.4);
+  check_mean("kd ke F, whose weight is ke A cos'/d^2", pixel, 0,
+             0.5 * 4 * form_factor);
 }
 
 TEST_CASE("a rectangle that faces away gives nothing") {
@@ -162,7 +166,8 @@ edge_u = [0, 0, 2]
 edge_v = [2, 0, 0]
 material = "lamp"
 )");
-  CHECK(one_sample(scene, onto(0), 1) == Vec3(0));
+  check_color("the light of a lamp from behind, where cos' < 0",
+              one_sample(scene, onto(0), 1), Vec3(0));
 }
 
 // A sphere wholly above the horizon fills F = cos (r/d)^2.
@@ -179,7 +184,6 @@ TEST_CASE("a sphere above the floor: kd ke cos (r/d)^2, near and far") {
       {"[0, 10000, 0]", 1.0f, 1e-8},
   };
   for (const Case& one : cases) {
-    CAPTURE(one.center);
     const Scene scene =
         scene_text(std::string(floor_only) +
                    "[[shapes]]\ntype = \"sphere\"\ncenter = " + one.center +
@@ -188,10 +192,9 @@ TEST_CASE("a sphere above the floor: kd ke cos (r/d)^2, near and far") {
     const PathTracer tracer(scene, bounces(1));
     const Pixel pixel = estimate(tracer, onto(0), 100'000);
     const double truth = 0.5 * 4 * one.form_factor;
-    INFO("ratio ", pixel.mean[0] / truth);
     // Far away all directions are one, and only rounding is left.
-    CHECK(std::abs(pixel.mean[0] - truth) <
-          4.4 * std::sqrt(pixel.variance(0) / pixel.samples) + 1e-4 * truth);
+    check_mean("kd ke cos (r/d)^2 of a ball at " + one.center, pixel, 0,
+               truth, 1e-4);
   }
 }
 
@@ -218,11 +221,11 @@ material = "lamp"
   for (const int max_bounces : {1, 2, 3, 4}) {
     expected += term;
     term *= q;
-    CAPTURE(max_bounces);
     const Pixel pixel = estimate(PathTracer(scene, bounces(max_bounces)),
                                  {{0.6f, 0, 0}, {1, 0, 0}}, 40'000);
-    INFO("mean ", pixel.mean[0], ", expected ", expected);
-    CHECK(deviations(pixel, 0, expected) < 4.4);
+    check_mean(
+        "kd ke F (1 + q + ...), " + std::to_string(max_bounces) + " bounces",
+        pixel, 0, expected);
   }
 }
 
@@ -235,12 +238,12 @@ TEST_CASE("the camera sees lamps as bright as they are") {
         "[1, 3, -1], [0, 3, 2]]",
         "type = \"plane\"\nnormal = [0, -1, 0]\n"
         "distance = 3"}) {
-    CAPTURE(shape);
+    const std::string what = "ke of a lamp with\n" + shape + "\nseen with ";
     const Scene scene = scene_text(std::string(floor_only) + "[[shapes]]\n" +
                                    shape + "\nmaterial = \"lamp\"\n");
     const Ray up{{0, 0.5f, 0}, {0, 1, 0}};
-    CHECK(one_sample(scene, up, 0) == Vec3(4));
-    CHECK(one_sample(scene, up, 5) == Vec3(4));
+    check_color(what + "max_bounces 0", one_sample(scene, up, 0), Vec3(4));
+    check_color(what + "max_bounces 5", one_sample(scene, up, 5), Vec3(4));
   }
 }
 
@@ -254,7 +257,8 @@ material = "lamp"
 )");
   check_radiance<PathTracer>("the floor", scene, onto(0), bounces(1),
                              DoubleVec3(2, 1, 4));
-  CHECK(one_sample(scene, onto(0), 0) == Vec3(0));
+  check_color("a floor with max_bounces 0", one_sample(scene, onto(0), 0),
+              Vec3(0));
 }
 
 TEST_CASE("inside a lamp that shines outwards it is dark") {
@@ -264,5 +268,8 @@ center = [0, 0, 0]
 radius = 1
 material = "lamp"
 )");
-  CHECK(one_sample(scene, onto(0), 3) == Vec3(0));
+  check_color("the floor inside a lamp", one_sample(scene, onto(0), 3),
+              Vec3(0));
 }
+
+TEST_SUITE_END();

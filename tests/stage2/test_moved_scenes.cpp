@@ -6,8 +6,12 @@
 using namespace lightwalk;
 using namespace lightwalk::tests;
 
+TEST_SUITE_BEGIN("relations");
+
 TEST_CASE("the box gives the same picture wherever and however large it is") {
   check_moved<stage2::PathTracer>("cornell_box_point_diffuse", 64, 8);
   check_moved<stage2::PathTracer>("cornell_box_ceiling_diffuse", 64, 8);
   check_moved<stage2::PathTracer>("cornell_box_lamp_diffuse", 64, 8);
 }
+
+TEST_SUITE_END();

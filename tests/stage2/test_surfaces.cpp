@@ -6,11 +6,14 @@
 #include <set>
 
 #include "stages/2_next_event/path_tracer.hpp"
+#include "support/expectations.hpp"
 #include "support/renders.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage2::PathTracer;
+
+TEST_SUITE_BEGIN("analytic scenes");
 
 namespace {
 
@@ -78,8 +81,10 @@ TEST_CASE("a lit wall has no dark spots where it shades itself") {
     const float squared = 100 * 100 + dot(aside, aside);
     const float expected =
         0.5f / pi * 1e4f * 100 / (squared * std::sqrt(squared));
-    REQUIRE(tracer.radiance({origin, -normal}, random).x ==
-            doctest::Approx(expected).epsilon(1e-3));
+    require_value("kd/pi I cos/d^2 of a wall that nothing shades, at " +
+                      text_of(-1000.0f * normal + aside),
+                  red(tracer.radiance({origin, -normal}, random)),
+                  static_cast<double>(expected), 1e-3);
   }
 }
 
@@ -88,7 +93,8 @@ TEST_CASE("a plate a hundredth over the floor shades it") {
       materials + plane("[0, 1, 0]", "0", "floor") +
       plane("[0, -1, 0]", "0.01", "black") + point_light("[0, 2, 0]"));
   Random random(1, 0, 0);
-  CHECK(PathTracer(scene, bounces(4)).radiance(down, random) == Vec3(0));
+  check_color("a floor a hundredth under a plate",
+              PathTracer(scene, bounces(4)).radiance(down, random), Vec3(0));
 }
 
 // The same at the other end of the shadow ray. A black shell about a ball that
@@ -101,13 +107,13 @@ TEST_CASE("a plate just before a lamp hides it") {
             plane("[0, -1, 0]", "1.999", "black"),
         ball + "1\nmaterial = \"lamp\"\n" + ball +
             "1.001\nmaterial = \"black\"\n"}) {
-    CAPTURE(lamp);
     const Scene scene =
         scene_text(materials + plane("[0, 1, 0]", "0", "floor") + lamp);
     const PathTracer tracer(scene, bounces(1));
     for (std::uint64_t i = 0; i < 100; ++i) {
       Random random(1, 0, i);
-      REQUIRE(tracer.radiance(down, random) == Vec3(0));
+      require_color("a floor under the hidden lamp\n" + lamp,
+                    tracer.radiance(down, random), Vec3(0));
     }
   }
 }
@@ -127,6 +133,8 @@ TEST_CASE("a point light in a ceiling is not shaded by it") {
     const Vec3 aside = (u.x - 0.5f) * Vec3(0.8f, -0.64f, 0) +
                        (u.y - 0.5f) * Vec3(0, -0.64f, 0.6f);
     const Vec3 origin = -999.5f * normal + aside;
+    INFO("at ", -1000.0f * normal + aside,
+         ": the light hangs in the ceiling, and the ceiling shades it");
     REQUIRE(tracer.radiance({origin, -normal}, random).x > 0);
   }
 }
@@ -142,8 +150,9 @@ TEST_CASE("no light from outside gets into a ball") {
   const PathTracer tracer(scene, bounces(3));
   for (std::uint64_t i = 0; i < 100; ++i) {
     Random random(1, 0, i);
-    REQUIRE(tracer.radiance({{0, 0.5f, 0}, {0.6f, -0.8f, 0}}, random) ==
-            Vec3(0));
+    require_color("the inside of a ball, with all lights outside",
+                  tracer.radiance({{0, 0.5f, 0}, {0.6f, -0.8f, 0}}, random),
+                  Vec3(0));
   }
 }
 
@@ -156,9 +165,11 @@ TEST_CASE("a thin wall is lit on the side that it is seen from") {
                                    point_light("[0, 2, 0]"));
     const PathTracer tracer(scene, bounces(1));
     Random random(1, 0, 0);
-    CHECK(tracer.radiance(down, random).x ==
-          doctest::Approx(0.5 / 3.14159265 * 9 / 4));
-    CHECK(tracer.radiance({{0, -1, 0}, {0, 1, 0}}, random) == Vec3(0));
+    check_value("kd/pi I/d^2, seen from the side of the light",
+                red(tracer.radiance(down, random)),
+                0.5 / std::acos(-1.0) * 9 / 4);
+    check_color("a wall with the light behind it",
+                tracer.radiance({{0, -1, 0}, {0, 1, 0}}, random), Vec3(0));
   }
 }
 
@@ -173,8 +184,11 @@ TEST_CASE("a thin wall does not glow in the light of a lamp behind it") {
     const PathTracer tracer(scene, bounces(1));
     for (std::uint64_t i = 0; i < 100; ++i) {
       Random random(1, 0, i);
-      REQUIRE(tracer.radiance({{0, -1, 0}, {0, 1, 0}}, random) == Vec3(0));
+      require_color("a wall with this lamp behind it\n" + lamp,
+                    tracer.radiance({{0, -1, 0}, {0, 1, 0}}, random),
+                    Vec3(0));
     }
+    INFO("a wall before this lamp is black\n", lamp);
     CHECK(estimate(tracer, down, 100).mean[0] > 0);
   }
 }
@@ -191,8 +205,8 @@ TEST_CASE("a lamp half below the horizon gives what its upper half gives") {
       lit_by(rectangle("[1, -1, -1]", "[0, 0, 2]", "[0, 2, 0]"));
   const Pixel upper =
       lit_by(rectangle("[1, 0, -1]", "[0, 0, 2]", "[0, 1, 0]"));
-  CAPTURE(whole.mean[0]);
-  CAPTURE(upper.mean[0]);
+  INFO("the whole lamp gives ", whole.mean[0], " and its upper half ",
+       upper.mean[0], ", expected the same");
   CHECK(upper.mean[0] > 0.01);
   CHECK(std::abs(whole.mean[0] - upper.mean[0]) <
         4.4 * std::sqrt((whole.variance(0) + upper.variance(0)) / 50'000));
@@ -208,8 +222,7 @@ TEST_CASE("a lamp of four parts: kd ke 4 F, each part counted once") {
       rectangle("[-1.5, 0.8, -0.7]", "[1.5, 0, 0]", "[0, 0, 0.7]"));
   const Pixel pixel = estimate(PathTracer(scene, bounces(1)), down, 100'000);
   const double truth = 0.5 * 4 * 4 * form_factor(1.5, 0.7, 0.8);
-  CAPTURE(pixel.mean[0] / truth);
-  CHECK(deviations(pixel, 0, truth) < 4.4);
+  check_mean("kd ke 4 F", pixel, 0, truth);
 }
 
 // Triangles cannot be asked, so their light is found by hits, and counts.
@@ -222,8 +235,7 @@ TEST_CASE("a lamp of two triangles gives what its rectangle gives") {
       "vertices = [[0, 0.8, 0], [1.5, 0.8, 0.7], [0, 0.8, 0.7]]\n");
   const Pixel pixel = estimate(PathTracer(scene, bounces(1)), down, 100'000);
   const double truth = 0.5 * 4 * form_factor(1.5, 0.7, 0.8);
-  CAPTURE(pixel.mean[0] / truth);
-  CHECK(deviations(pixel, 0, truth) < 4.4);
+  check_mean("kd ke F", pixel, 0, truth);
 }
 
 // What a point of a lamp is worth depends on where it lies, so a hundred
@@ -245,8 +257,11 @@ TEST_CASE("each sample asks another point of the lamp") {
       values.insert(value);
       ++lit;
     }
-    CAPTURE(lamp);
+    INFO(lit, " of 100 samples brought light, with ", values.size(),
+         " different values, expected as many; the lamp is\n", lamp);
     CHECK(lit > 20);
     CHECK(values.size() * 10 > lit * 9);
   }
 }
+
+TEST_SUITE_END();

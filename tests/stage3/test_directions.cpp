@@ -3,11 +3,14 @@
 #include <doctest/doctest.h>
 
 #include "stages/3_specular_refraction/path_tracer.hpp"
+#include "support/expectations.hpp"
 #include "support/hemisphere.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
 using namespace lightwalk::stage3;
+
+TEST_SUITE_BEGIN("units");
 
 namespace {
 
@@ -27,14 +30,27 @@ const Vec3 up{0, 0, 1};
 
 }  // namespace
 
+TEST_CASE("reflected and refracted directions have unit length") {
+  const Vec3 wo = normalize(Vec3(0.3f, -0.5f, 0.8f));
+  check_value("length of reflect(wo, normal)",
+              static_cast<double>(length(reflect(wo, up))), 1, 1e-5);
+  for (const float eta_ratio : {1 / 1.5f, 1.0f, 1.1f}) {
+    const auto wi = refract(wo, up, eta_ratio);
+    REQUIRE(wi.has_value());
+    check_value("length of refract(wo, normal, " +
+                    text_of(static_cast<double>(eta_ratio)) + ")",
+                static_cast<double>(length(*wi)), 1, 1e-5);
+  }
+}
+
 TEST_CASE("a mirror: equal angles, on the other side of the normal") {
   for (const double degrees : {0.0, 10.0, 45.0, 80.0, 89.0}) {
-    CAPTURE(degrees);
     const Vec3 wi = reflect(at_angle(degrees), up);
     const Vec3 expected = at_angle(-degrees);
-    CHECK(wi.x == doctest::Approx(expected.x).epsilon(1e-6));
-    CHECK(wi.y == 0);
-    CHECK(wi.z == doctest::Approx(expected.z).epsilon(1e-6));
+    INFO("wo at ", degrees,
+         " degrees to the normal (0, 0, 1) is reflected to ", wi,
+         ", expected ", expected, ", away from the surface");
+    CHECK(length(wi - expected) < 2e-6f);
   }
 }
 
@@ -42,6 +58,8 @@ TEST_CASE("mirrored twice is where it was, for any normal") {
   const Vec3 wo = normalize(Vec3(0.3f, -0.5f, 0.8f));
   for (const Vec3& normal : test_normals(100)) {
     const Vec3 twice = reflect(reflect(wo, normal), normal);
+    INFO("wo = ", wo, " mirrored twice at the normal ", normal, " is ",
+         twice);
     REQUIRE(length(twice - wo) < 1e-5f);
   }
 }
@@ -57,13 +75,18 @@ TEST_CASE("Snell's law, into glass and out of it") {
                         {60, 35.264390, 1 / 1.5f}, {30, 48.590378, 1.5f},
                         {19.471221, 30, 1.5f},     {45, 45, 1}};
   for (const Case& one : cases) {
-    CAPTURE(one.from);
-    CAPTURE(one.eta_ratio);
+    INFO("theta_o = ", one.from, " degrees, eta_o/eta_i = ", one.eta_ratio,
+         ", expected theta_i = ", one.to);
     const auto wi = refract(at_angle(one.from), up, one.eta_ratio);
     REQUIRE(wi.has_value());
-    CHECK(angle_to(*wi, -up) == doctest::Approx(one.to).epsilon(1e-4));
-    CHECK(wi->x <= 0);  // the other side of the normal
-    CHECK(length(*wi) == doctest::Approx(1).epsilon(1e-6));
+    check_value(
+        "sin theta_i = eta_o/eta_i sin theta_o: theta_i in degrees "
+        "for theta_o = " +
+            text_of(one.from) + " and eta_o/eta_i = " +
+            text_of(static_cast<double>(one.eta_ratio)),
+        angle_to(*wi, -up), one.to, one.to == 0 ? 0 : 1.1e-4);
+    INFO("wi = ", *wi, " is on the side of the normal that wo is on");
+    CHECK(wi->x <= 0);
   }
 }
 
@@ -76,16 +99,27 @@ TEST_CASE("a refracted ray taken backwards is the ray that came") {
     REQUIRE(wi.has_value());
     const auto back = refract(*wi, -normal, 1.5f);
     REQUIRE(back.has_value());
+    INFO("wo = ", wo, " is bent to ", *wi, ", and that back to ", *back);
     REQUIRE(length(*back - wo) < 2e-3f);  // grazing angles amplify rounding
   }
 }
 
 // The critical angle of 1.5 is arcsin(1/1.5) = 41.8103 degrees.
 TEST_CASE("total internal reflection begins at 41.81 degrees inside glass") {
-  CHECK(refract(at_angle(41.80), up, 1.5f).has_value());
-  CHECK_FALSE(refract(at_angle(41.82), up, 1.5f).has_value());
-  CHECK_FALSE(refract(at_angle(89), up, 1.5f).has_value());
-  CHECK(refract(at_angle(89), up, 1 / 1.5f).has_value());
+  const auto check = [](double degrees, float eta_ratio, bool passes) {
+    const bool passed = refract(at_angle(degrees), up, eta_ratio).has_value();
+    if (passed == passes) return;
+    FAIL_CHECK(
+        "at " << degrees << " degrees with eta_o/eta_i = " << eta_ratio
+              << std::string(passes
+                                 ? " nothing passes, expected a direction"
+                                 : " light passes, expected none: all of it "
+                                   "is reflected"));
+  };
+  check(41.80, 1.5f, true);
+  check(41.82, 1.5f, false);
+  check(89, 1.5f, false);
+  check(89, 1 / 1.5f, true);
 }
 
 namespace {
@@ -105,8 +139,37 @@ TEST_CASE("eta is 1 outside, where the shape's normal points") {
   const Hit hit = hit_on(glass);
   const Surface outside(hit, glass, at_angle(20));
   const Surface inside(hit, glass, -at_angle(20));
-  CHECK(relative_eta(outside) == doctest::Approx(1 / 1.5));
-  CHECK(relative_eta(inside) == doctest::Approx(1.5));
+  check_value("eta_o/eta_i with wo outside glass of 1.5",
+              static_cast<double>(relative_eta(outside)), 1 / 1.5);
+  check_value("eta_o/eta_i with wo inside glass of 1.5",
+              static_cast<double>(relative_eta(inside)), 1.5);
+}
+
+TEST_CASE("the lobe of refraction bends wo about the normal on its side") {
+  Material glass;
+  glass.kt = Vec3(1);
+  glass.eta = 1.5f;
+  const Hit hit = hit_on(glass);
+  Random random(1, 0, 0);
+  for (const float side : {1.0f, -1.0f}) {
+    const Vec3 wo = side * at_angle(20);
+    const Surface surface(hit, glass, wo);
+    const Vec3 wi =
+        sample(Lobe::refraction, surface, Sampling::cosine, random).wi;
+    // sin 20 / 1.5 = sin 13.1801, and sin 20 * 1.5 = sin 30.8659.
+    const Vec3 expected = -side * at_angle(side > 0 ? 13.180114 : 30.865883);
+    if (length(wi - expected) < 1e-4f) continue;
+    const Vec3 swapped =
+        refract(surface.normal, wo, relative_eta(surface)).value_or(Vec3(0));
+    FAIL_CHECK(
+        std::string(side > 0 ? "outside" : "inside")
+        << " glass, wo = " << wo << " is bent to " << wi << ", expected "
+        << expected
+        << std::string(length(wi - swapped) < 1e-4f
+                           ? ": is wo the first argument of refract, and the "
+                             "normal the second?"
+                           : ""));
+  }
 }
 
 TEST_CASE("each lobe's weight is its coefficient, without a cosine") {
@@ -125,20 +188,37 @@ TEST_CASE("each lobe's weight is its coefficient, without a cosine") {
       const auto one = [&](Lobe lobe) {
         return sample(lobe, surface, Sampling::cosine, random);
       };
-      CHECK(one(Lobe::diffuse).weight == material.kd);
-      CHECK(side * one(Lobe::diffuse).wi.z > 0);
-      CHECK(one(Lobe::specular).weight == material.ks);
-      CHECK(one(Lobe::specular).wi == side * reflect(wo, up));
+      const BsdfSample diffuse = one(Lobe::diffuse);
+      check_color("weight of the diffuse lobe, kd", diffuse.weight,
+                  material.kd);
+      INFO("wo is ", side * wo, " and the shape's normal ", up);
+      CHECK_MESSAGE(side * diffuse.wi.z > 0, "the diffuse direction ",
+                    diffuse.wi, " is on the other side than wo");
+      check_color("weight of the specular lobe, ks",
+                  one(Lobe::specular).weight, material.ks);
+      CHECK_MESSAGE(
+          length(one(Lobe::specular).wi - side * reflect(wo, up)) < 1e-5f,
+          "the mirrored direction is ", one(Lobe::specular).wi, ", expected ",
+          side * reflect(wo, up));
       const BsdfSample refracted = one(Lobe::refraction);
       if (side < 0 && degrees > 41) {
-        CHECK(refracted.weight == material.kt);  // totally reflected
-        CHECK(refracted.wi == side * reflect(wo, up));
+        check_color("weight where all is reflected, kt", refracted.weight,
+                    material.kt);
+        CHECK_MESSAGE(length(refracted.wi - side * reflect(wo, up)) < 1e-5f,
+                      "beyond the critical angle the direction is ",
+                      refracted.wi, ", expected the mirrored one, ",
+                      side * reflect(wo, up));
         continue;
       }
       // Radiance grows by (eta_o / eta_i)^2 towards the side of wo.
-      CHECK(refracted.weight.z ==
-            doctest::Approx(side > 0 ? 0.5 / 2.25 : 0.5 * 2.25));
-      CHECK(side * refracted.wi.z < 0);
+      check_color(side > 0 ? "weight into glass of 1.5, kt / eta^2"
+                           : "weight out of glass of 1.5, kt eta^2",
+                  refracted.weight,
+                  material.kt * (side > 0 ? 1 / 2.25f : 2.25f));
+      CHECK_MESSAGE(side * refracted.wi.z < 0, "the refracted direction ",
+                    refracted.wi, " is on the side of wo");
     }
   }
 }
+
+TEST_SUITE_END();

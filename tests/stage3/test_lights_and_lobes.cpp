@@ -5,11 +5,14 @@
 #include "stages/3_specular_refraction/path_tracer.hpp"
 #include "support/comparisons.hpp"
 #include "support/exact_radiance.hpp"
+#include "support/expectations.hpp"
 #include "support/specular_scenes.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage3::PathTracer;
+
+TEST_SUITE_BEGIN("analytic scenes");
 
 namespace {
 
@@ -34,18 +37,22 @@ constexpr const char* point_light =
 }  // namespace
 
 TEST_CASE("a point light does not light a mirror, nor glass") {
-  CHECK(one_sample(scene_text(floor_of("{ ks = 1 }") + point_light), down,
-                   8) == Vec3(0));
-  CHECK(one_sample(scene_text(floor_of("{ kt = 1 }") + point_light), down,
-                   8) == Vec3(0));
+  check_color(
+      "the light of a point in a mirror, which no ray meets",
+      one_sample(scene_text(floor_of("{ ks = 1 }") + point_light), down, 8),
+      Vec3(0));
+  check_color(
+      "the light of a point on glass, where no lobe is diffuse",
+      one_sample(scene_text(floor_of("{ kt = 1 }") + point_light), down, 8),
+      Vec3(0));
 }
 
 // kd/pi * I / 1^2 for the point right below, whatever ks and kt are.
 TEST_CASE("a point light lights the diffuse part of plastic") {
   const Scene scene =
       scene_text(floor_of("{ kd = 0.5, ks = 0.3, kt = 0.2 }") + point_light);
-  CHECK(one_sample(scene, down, 1).x ==
-        doctest::Approx(0.5 * 5 / 3.14159265));
+  check_value("kd/pi I/d^2 on plastic", red(one_sample(scene, down, 1)),
+              0.5 * 5 / std::acos(-1.0));
 }
 
 TEST_CASE("a lamp is seen in a mirror as bright as it is") {
@@ -76,8 +83,8 @@ TEST_CASE("a diffuse wall under a lamp: kd ke F, counted once") {
     settings.max_bounces = 1;
     const Pixel pixel = estimate(PathTracer(scene, settings),
                                  {{0, 0.01f, 0}, {0, -1, 0}}, 50'000);
-    CAPTURE(pixel.mean[0]);
-    CHECK(deviations(pixel, 0, 0.5 * 4 * 0.8 * 4 / 25) < 4.4);
+    check_mean("kd ke cos (r/d)^2 on material = " + std::string(material),
+               pixel, 0, 0.5 * 4 * 0.8 * 4 / 25);
   }
 }
 
@@ -89,8 +96,8 @@ TEST_CASE("a lamp in a mirror lights the floor") {
   settings.max_bounces = 2;
   const Pixel pixel = estimate(PathTracer(scene, settings),
                                {{0, 0.5f, 0}, {0, -1, 0}}, 50'000);
-  CAPTURE(pixel.mean[0]);
-  CHECK(deviations(pixel, 0, mirrored_lamp_radiance()) < 4.4);
+  check_mean("a floor lit by a lamp's image in a mirror, kd ks ke F", pixel,
+             0, mirrored_lamp_radiance());
 }
 
 // The glass hides the lamp from the floor's shadow rays: straight through it
@@ -102,8 +109,13 @@ TEST_CASE("glass casts a shadow") {
                                  "material = \"glass\"\n[materials.glass]\n"
                                  "kt = 1\n");
   const Ray under{{0, 0.01f, 0}, {0, -1, 0}};
-  CHECK(one_sample(scene, under, 1) == Vec3(0));
+  check_color("a floor under a point light with a glass ball between",
+              one_sample(scene, under, 1), Vec3(0));
 }
+
+TEST_SUITE_END();
+
+TEST_SUITE_BEGIN("relations");
 
 // Without mirrors and glass stage 3 is stage 2. Both draw the same numbers, so
 // even the noise is the same, but for rounding.
@@ -130,7 +142,9 @@ TEST_CASE("the lab's box: the same bits for any number of threads") {
   const auto one = paint<PathTracer>(scene, settings);
   settings.threads = 7;
   const auto many = paint<PathTracer>(scene, settings);
-  CHECK(one.radiance.pixels == many.radiance.pixels);
+  check_same_bits(many, one);
   CHECK(one.info.rays == many.info.rays);
   CHECK(one.info.dropped == 0);
 }
+
+TEST_SUITE_END();

@@ -6,10 +6,13 @@
 
 #include "stages/4_russian_roulette/path_tracer.hpp"
 #include "support/chi_squared.hpp"
+#include "support/expectations.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
 using namespace lightwalk::stage4;
+
+TEST_SUITE_BEGIN("units");
 
 namespace {
 
@@ -27,7 +30,7 @@ std::size_t event_of(const std::optional<LobeChoice>& choice) {
 }
 
 /// The frequencies of the four events against their probabilities.
-double lobe_p_value(const LobeProbabilities& p) {
+void check_frequencies(const LobeProbabilities& p) {
   constexpr int samples = 100'000;
   std::vector<double> observed(4),
       expected = {samples * static_cast<double>(p.diffuse),
@@ -43,13 +46,20 @@ double lobe_p_value(const LobeProbabilities& p) {
   // An event that is certain must come every time.
   const auto certain = std::find_if(expected.begin(), expected.end(),
                                     [](double e) { return e > samples - 1; });
-  if (certain != expected.end()) {
-    return observed[static_cast<std::size_t>(certain - expected.begin())] ==
-                   samples
-               ? 1
-               : 0;
+  const bool right =
+      certain != expected.end()
+          ? observed[static_cast<std::size_t>(certain - expected.begin())] ==
+                samples
+          : chi_squared_test(observed, expected).p_value > significance;
+  if (right) return;
+  std::string says = "of 100000 events";
+  const char* const events[] = {"diffuse", "specular", "refraction",
+                                "absorption"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    says += std::string(", ") + events[i] + " " + text_of(observed[i]) +
+            ", expected " + text_of(std::round(expected[i]));
   }
-  return chi_squared_test(observed, expected).p_value;
+  FAIL_CHECK(says);
 }
 
 }  // namespace
@@ -61,7 +71,7 @@ TEST_CASE("no lobe with a coefficient is left without a chance") {
   const Vec3 red(0.3f, 0, 0), green(0, 0.3f, 0), blue(0, 0, 0.3f), none(0);
   for (const Vec3& k : {red, green, blue, Vec3(0.3f)}) {
     for (const int bounce : {0, 1, 20}) {
-      CAPTURE(bounce);
+      INFO("one lobe with the coefficient ", k, ", bounce ", bounce);
       const auto d = lobe_probabilities(material(k, none, none), bounce);
       CHECK(d.diffuse > 0);
       CHECK(d.specular == 0);
@@ -93,6 +103,8 @@ TEST_CASE("the probabilities never add to more than the limit") {
       CAPTURE(bounce);
       const auto p = lobe_probabilities(material(k[0], k[1], k[2]), bounce);
       const float sum = p.diffuse + p.specular + p.refraction;
+      INFO("kd = ", k[0], ", ks = ", k[1], ", kt = ", k[2],
+           ": the probabilities add to ", sum);
       REQUIRE(sum <= (bounce < 16 ? 1 : 0.95f) + 1e-6f);
     }
   }
@@ -104,6 +116,8 @@ TEST_CASE("the probabilities never add to more than the limit") {
 TEST_CASE("maxima that add to more than 1 are scaled down to fit the bar") {
   const auto p = lobe_probabilities(
       material({0.9f, 0, 0}, {0, 0.9f, 0}, {0, 0, 0.9f}), 0);
+  INFO("diffuse ", p.diffuse, ", specular ", p.specular, ", refraction ",
+       p.refraction, " for maxima of 0.9 each");
   CHECK(p.diffuse + p.specular + p.refraction <= 1 + 1e-6f);
   const auto grey =
       lobe_probabilities(material(Vec3(0.3f), Vec3(0.3f), Vec3(0.3f)), 0);
@@ -115,6 +129,8 @@ TEST_CASE("from bounce 16 on lossless materials may end, too") {
   const Material glass = material(Vec3(0), Vec3(0.1f), Vec3(0.9f));
   for (const int bounce : {16, 17, 100, 4000}) {
     const auto late = lobe_probabilities(glass, bounce);
+    INFO("at bounce ", bounce, " a path on lossless glass survives with ",
+         late.specular + late.refraction, ", expected 0.95 at most");
     CHECK(late.specular + late.refraction <= 0.95f + 1e-6f);
     CHECK(late.specular + late.refraction > 0.5f);
   }
@@ -129,10 +145,7 @@ TEST_CASE("each event comes as often as its probability says") {
         material(none, Vec3(0.4f), none), material(none, none, Vec3(0.7f)),
         material({0.9f, 0, 0}, {0, 0.9f, 0}, {0, 0, 0.9f})}) {
     const auto p = lobe_probabilities(one, 0);
-    CAPTURE(p.diffuse);
-    CAPTURE(p.specular);
-    CAPTURE(p.refraction);
-    CHECK(lobe_p_value(p) > significance);
+    check_frequencies(p);
   }
 }
 
@@ -148,9 +161,11 @@ TEST_CASE("the probability that comes with a lobe is its own") {
     absorbed += !choice;
     if (!choice) continue;
     const std::size_t event = event_of(choice);
-    CAPTURE(event);
-    CHECK(choice->probability == doctest::Approx(expected[event]));
+    check_value("the probability that comes with the event for xi = " +
+                    text_of(static_cast<double>(xi)) + " of (0.4, 0.3, 0.2)",
+                static_cast<double>(choice->probability), expected[event]);
   }
+  INFO(absorbed, " of 10 numbers xi mean absorption, expected 1");
   CHECK(absorbed == 1);
 }
 
@@ -168,3 +183,5 @@ TEST_CASE("a lobe with probability 0 is never chosen, not even by xi = 0") {
   CHECK(chosen({0, 1, 0}, largest) == Lobe::specular);
   CHECK(chosen({0, 0, 1}, largest) == Lobe::refraction);
 }
+
+TEST_SUITE_END();

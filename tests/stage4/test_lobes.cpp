@@ -3,11 +3,14 @@
 #include <doctest/doctest.h>
 
 #include "stages/4_russian_roulette/path_tracer.hpp"
+#include "support/expectations.hpp"
 #include "support/specular_scenes.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
 using stage4::PathTracer;
+
+TEST_SUITE_BEGIN("analytic scenes");
 
 namespace {
 
@@ -48,9 +51,7 @@ TEST_CASE("the direction does not depend on the number that drew the event") {
   for (const char* material :
        {"{ kd = 0.5 }", "{ kd = 0.4, ks = 0.4 }",
         "{ kd = [0.3, 0.6, 0.1], ks = [0.2, 0.1, 0.6] }"}) {
-    INFO("material ", std::string(material));
     for (const Case& one : cases) {
-      CAPTURE(one.whole);
       const Scene scene = scene_text(
           floor_of(material) +
           "[[shapes]]\ntype = \"plane\"\nnormal = [0, -1, 0]\ndistance = 2\n"
@@ -63,8 +64,9 @@ TEST_CASE("the direction does not depend on the number that drew the event") {
           estimate(PathTracer(scene, bounces(1)), down, 20'000);
       const double kd =
           static_cast<double>(scene.geometry.planes()[0].material->kd.y);
-      CAPTURE(pixel.mean[1]);
-      CHECK(deviations(pixel, 1, kd * 4 * (1 - one.form_factor)) < 4.4);
+      check_mean("kd ke (1 - F) under a black square of " + one.whole +
+                     ", material = " + std::string(material),
+                 pixel, 1, kd * 4 * (1 - one.form_factor));
     }
   }
 }
@@ -74,14 +76,13 @@ TEST_CASE("the direction does not depend on the number that drew the event") {
 TEST_CASE("a diffuse wall under a lamp: kd ke F, counted once") {
   for (const char* material :
        {"{ kd = 0.5 }", "{ kd = 0.5, ks = 0.2, kt = 0.1 }"}) {
-    INFO("material ", std::string(material));
     const Scene scene = scene_text(floor_of(material) +
                                    "[[shapes]]\ntype = \"sphere\"\n"
                                    "center = [3, 4, 0]\nradius = 2\n"
                                    "material = \"lamp\"\n");
     const Pixel pixel = estimate(PathTracer(scene, bounces(1)), down, 50'000);
-    CAPTURE(pixel.mean[0]);
-    CHECK(deviations(pixel, 0, 0.5 * 4 * 0.8 * 4 / 25) < 4.4);
+    check_mean("kd ke cos (r/d)^2 on material = " + std::string(material),
+               pixel, 0, 0.5 * 4 * 0.8 * 4 / 25);
   }
 }
 
@@ -90,13 +91,13 @@ TEST_CASE("a lamp is seen in a mirror as bright as it is") {
        {"type = \"rectangle\"\ncorner = [-1, 0, 2]\nedge_u = [0, 5, 0]\n"
         "edge_v = [2, 0, 0]\n",
         "type = \"sphere\"\ncenter = [0, 2, 2]\nradius = 1\n"}) {
-    INFO("lamp ", std::string(lamp));
     const Scene scene = scene_text(floor_of("{ ks = 1 }") + "[[shapes]]\n" +
                                    lamp + "material = \"lamp\"\n");
     const Ray ray{{0, 1, -1}, {0, -0.70710678f, 0.70710678f}};
     const Pixel pixel = estimate(PathTracer(scene, bounces(2)), ray, 1000);
-    CHECK(std::abs(pixel.mean[0] - 4) <=
-          4.4 * std::sqrt(pixel.variance(0) / pixel.samples) + 1e-5);
+    check_mean("ke of a lamp in a mirror with ks = 1, the lamp being\n" +
+                   std::string(lamp),
+               pixel, 0, 4, 1e-5);
   }
 }
 
@@ -108,14 +109,16 @@ TEST_CASE("plastic shows the lamp that it mirrors") {
                                  "center = [0, 2, 0]\nradius = 1\n"
                                  "material = \"lamp\"\n");
   const Pixel pixel = estimate(PathTracer(scene, bounces(1)), down, 50'000);
-  CAPTURE(pixel.mean[0]);
-  CHECK(deviations(pixel, 0, 4 * (0.4 / 4 + 0.3)) < 4.4);
+  check_mean("ke (kd (r/d)^2 + ks) of plastic under a ball", pixel, 0,
+             4 * (0.4 / 4 + 0.3));
 }
 
 // From the floor to the mirror to the lamp: the mirror asked nobody.
 TEST_CASE("a lamp in a mirror lights the floor") {
   const Scene scene = mirrored_lamp();
   const Pixel pixel = estimate(PathTracer(scene, bounces(2)), down, 100'000);
-  CAPTURE(pixel.mean[0]);
-  CHECK(deviations(pixel, 0, mirrored_lamp_radiance()) < 4.4);
+  check_mean("a floor lit by a lamp's image in a mirror, kd ks ke F", pixel,
+             0, mirrored_lamp_radiance());
 }
+
+TEST_SUITE_END();

@@ -4,11 +4,14 @@
 
 #include "stages/5_fresnel_textures/path_tracer.hpp"
 #include "support/each_or_mean.hpp"
+#include "support/expectations.hpp"
 #include "support/specular_scenes.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
 using namespace lightwalk::stage5;
+
+TEST_SUITE_BEGIN("units");
 
 namespace {
 
@@ -29,23 +32,31 @@ void check_fresnel(double degrees, float eta_ratio, double exact) {
   const double schlick = r0 + (1 - r0) * std::pow(1 - outer, 5);
   const auto f = static_cast<double>(
       fresnel_reflectance(static_cast<float>(c), eta_ratio));
-  INFO(degrees, " degrees: ", f, ", Fresnel ", exact, ", Schlick ", schlick);
   const auto is = [f](double value) {
     return std::abs(f - value) < 1e-4 * value + 1e-9;
   };
-  CHECK((is(exact) || is(schlick)));
+  if (is(exact) || is(schlick)) return;
+  FAIL_CHECK("F at " << degrees << " degrees with eta_o/eta_i = " << n << ": "
+                     << f << ", expected " << exact
+                     << " by Fresnel's equations, or " << schlick
+                     << " by Schlick's curve");
 }
 
 }  // namespace
 
 // ((1.5 - 1) / (1.5 + 1))^2 = 0.04
 TEST_CASE("glass seen squarely reflects 4 %, from either side") {
-  CHECK(fresnel_reflectance(1, into) == doctest::Approx(0.04).epsilon(1e-5));
-  CHECK(fresnel_reflectance(1, out_of) ==
-        doctest::Approx(0.04).epsilon(1e-5));
-  // Water, 1.33: (0.33 / 2.33)^2. Diamond, 2.42: (1.42 / 3.42)^2.
-  CHECK(fresnel_reflectance(1, 1 / 1.33f) == doctest::Approx(0.0200594));
-  CHECK(fresnel_reflectance(1, 1 / 2.42f) == doctest::Approx(0.1723949));
+  const auto squarely = [](float eta_ratio) {
+    return static_cast<double>(fresnel_reflectance(1, eta_ratio));
+  };
+  check_value("F = ((1.5 - 1) / (1.5 + 1))^2 into glass", squarely(into),
+              0.04, 2e-4);
+  check_value("F = ((1.5 - 1) / (1.5 + 1))^2 out of glass", squarely(out_of),
+              0.04, 2e-4);
+  check_value("F = (0.33 / 2.33)^2 into water", squarely(1 / 1.33f),
+              0.0200594, 2e-4);
+  check_value("F = (1.42 / 3.42)^2 into diamond", squarely(1 / 2.42f),
+              0.1723949, 2e-4);
 }
 
 // At Brewster's angle, arctan(1.5) = 56.3099 degrees, r_p = 0 and F = r_s^2/2.
@@ -62,24 +73,32 @@ TEST_CASE("at 45 degrees glass reflects 5.0 %") {
 }
 
 TEST_CASE("at grazing angles everything is reflected") {
-  CHECK(fresnel_reflectance(0, into) == doctest::Approx(1));
+  check_value("F at 90 degrees into glass",
+              static_cast<double>(fresnel_reflectance(0, into)), 1);
   CHECK(fresnel_reflectance(cosine(89.99), into) > 0.99f);
 }
 
 TEST_CASE("beyond the critical angle, 41.81 degrees, F is 1 inside") {
-  CHECK(fresnel_reflectance(cosine(41.9), out_of) == 1);
-  CHECK(fresnel_reflectance(cosine(60), out_of) == 1);
-  CHECK(fresnel_reflectance(0, out_of) == 1);
-  CHECK(fresnel_reflectance(cosine(41.0), out_of) < 0.5f);
+  for (const double degrees : {41.9, 60.0, 90.0}) {
+    const float c = degrees == 90 ? 0 : cosine(degrees);
+    check_value("F inside glass at " + text_of(degrees) + " degrees",
+                static_cast<double>(fresnel_reflectance(c, out_of)), 1);
+  }
+  const float below = fresnel_reflectance(cosine(41.0), out_of);
+  INFO("F inside glass at 41 degrees is ", below, ", expected less than 0.5");
+  CHECK(below < 0.5f);
 }
 
 TEST_CASE("F is the same for both directions of a ray") {
   for (double degrees = 0; degrees < 89; degrees += 4) {
-    CAPTURE(degrees);
     const double sin_i = std::sin(degrees * std::acos(-1.0) / 180) / 1.5;
     const auto cos_i = static_cast<float>(std::sqrt(1 - sin_i * sin_i));
-    CHECK(fresnel_reflectance(cosine(degrees), into) ==
-          doctest::Approx(fresnel_reflectance(cos_i, out_of)).epsilon(1e-3));
+    check_value(
+        "F inside glass for the ray that comes in at " + text_of(degrees) +
+            " degrees, the F outside",
+        static_cast<double>(fresnel_reflectance(cos_i, out_of)),
+        static_cast<double>(fresnel_reflectance(cosine(degrees), into)),
+        2e-3);
   }
 }
 
@@ -93,8 +112,7 @@ TEST_CASE("F lies in [0, 1] and is a number, for every angle and index") {
   for (const float eta : {0.1f, 0.5f, 0.999f, 1.0f, 1.001f, 1.5f, 10.0f}) {
     for (int i = 0; i <= 1000; ++i) {
       const float f = fresnel_reflectance(static_cast<float>(i) / 1000, eta);
-      CAPTURE(eta);
-      CAPTURE(i);
+      INFO("F is ", f, " for eta_o/eta_i = ", eta, " and cos = ", i / 1000.0);
       REQUIRE(f >= 0);
       REQUIRE(f <= 1);
     }
@@ -109,14 +127,20 @@ TEST_CASE(
       ball("glass"));
   Hit hit = *scene.nearest_hit({{0, 0, -5}, {0, 0, 1}});
   const Material outside = material_at(scene, hit, {0, 0, -1});
-  CHECK(outside.ks.x == doctest::Approx(0.04 * 0.8).epsilon(1e-5));
-  CHECK(outside.kt.x == doctest::Approx(0.96 * 0.6).epsilon(1e-5));
+  check_value("F ks outside, F = 0.04", red(outside.ks), 0.04 * 0.8, 2e-4);
+  check_value("(1 - F) kt outside, F = 0.04", red(outside.kt), 0.96 * 0.6);
   hit = *scene.nearest_hit({{0, 0, 0}, {0, 0, 1}});
   const Vec3 slanted = normalize(Vec3(0.8f, 0, -0.6f));  // 53 degrees, inside
   const Material inside = material_at(scene, hit, slanted);
-  CHECK(inside.ks.x == doctest::Approx(0.8));
-  CHECK(inside.kt.x == 0);
+  check_value("F ks inside, beyond the critical angle, F = 1", red(inside.ks),
+              0.8);
+  check_value("(1 - F) kt inside, beyond the critical angle, F = 1",
+              red(inside.kt), 0);
 }
+
+TEST_SUITE_END();
+
+TEST_SUITE_BEGIN("analytic scenes");
 
 // F + (1 - F) = 1: nothing is lost, and each event's weight is k/p = 1.
 TEST_CASE("a Fresnel glass ball and cube in a white room are invisible") {
@@ -136,6 +160,7 @@ TEST_CASE("a Fresnel glass ball and cube in a white room are invisible") {
       ++seen;
       each.add(radiance);
     }
+    INFO(seen, " of 20000 rays find out of the glass, expected over 10000");
     CHECK(seen > 1000);
     if (each.counts_each()) {
       each.check("rays that found out");
@@ -159,9 +184,8 @@ TEST_CASE("Fresnel glass without a bound: the room's light, in the mean") {
       "{ ks = 1, kt = 1, eta = 1.5, fresnel = true }", ball("thing"));
   const PathTracer tracer(scene, {});
   const Pixel pixel = estimate_of_thing(tracer, 100'000, 9);
-  CAPTURE(pixel.mean[0]);
-  CHECK(std::abs(pixel.mean[0] - 1) <=
-        4.4 * std::sqrt(pixel.variance(0) / pixel.samples) + 1e-5);
+  check_mean("a Fresnel glass ball in a room of radiance 1", pixel, 0, 1,
+             1e-5);
 }
 
 // Of a ray at normal incidence 4 % are reflected at the front, which sees the
@@ -174,7 +198,7 @@ TEST_CASE("how often glass reflects is F, and its picture's weight is 1") {
       "normal = [0, 0, 1]\ndistance = 9\nmaterial = \"lamp\"\n");
   const Ray ray{{0, 0, -5}, {0, 0, 1}};
   const Pixel pixel = estimate(PathTracer(scene, {}), ray, 100'000);
-  CHECK(deviations(pixel, 0, 0.04) < 4.4);
+  check_mean("the reflected share of a white room, F = 0.04", pixel, 0, 0.04);
   // Each sample is 0 or 1, so the variance is F (1 - F); other probabilities
   // than F have another one.
   const double variance = pixel.variance(0) / (0.04 * 0.96);
@@ -186,5 +210,8 @@ TEST_CASE("how often glass reflects is F, and its picture's weight is 1") {
   const Ray slanted{{0, 0, -5},
                     {std::sin(5 * pi / 12), 0, std::cos(5 * pi / 12)}};
   const Pixel aside = estimate(PathTracer(scene, {}), slanted, 100'000);
-  CHECK(aside.mean[0] == doctest::Approx(0.2539).epsilon(0.03));
+  check_value("the reflected share at 75 degrees, F = 0.2539", aside.mean[0],
+              0.2539, 0.05);
 }
+
+TEST_SUITE_END();

@@ -4,11 +4,14 @@
 #include <doctest/doctest.h>
 
 #include "stages/5_fresnel_textures/path_tracer.hpp"
+#include "support/expectations.hpp"
 #include "support/renders.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
 using namespace lightwalk::stage5;
+
+TEST_SUITE_BEGIN("units");
 
 namespace {
 
@@ -34,10 +37,18 @@ Texture four_texels() {
 
 constexpr float tolerance = 1e-5f;
 
-void check_color(const Vec3& color, const Vec3& expected) {
-  INFO("(", color.x, ", ", color.y, ", ", color.z, ") instead of (",
-       expected.x, ", ", expected.y, ", ", expected.z, ")");
-  CHECK(length(color - expected) < 1e-4f);
+void check_color(const Vec3& color, const Vec3& expected,
+                 SourceLine place = {__builtin_FILE(), __builtin_LINE()}) {
+  if (length(color - expected) < 1e-4f) return;
+  ADD_FAIL_CHECK_AT(place.file, place.line, "the color is ", color,
+                    ", expected ", expected);
+}
+
+void check_uv(const Vec2& uv, const Vec2& expected,
+              SourceLine place = {__builtin_FILE(), __builtin_LINE()}) {
+  if (glm::length(uv - expected) < 1e-4f) return;
+  ADD_FAIL_CHECK_AT(place.file, place.line, "(u, v) is ", uv, ", expected ",
+                    expected);
 }
 
 }  // namespace
@@ -60,8 +71,7 @@ TEST_CASE("a triangle's uv run along its first two edges") {
       "vertices = [[0, 0, 1], [2, 0, 1], [1, 3, 1]]");
   // corner + 0.25 (2, 0) + 0.5 (1, 3)
   const Vec2 uv = uv_at(scene, {0, 0, 0}, {1, 1.5f, 1});
-  CHECK(uv.x == doctest::Approx(0.25).epsilon(tolerance));
-  CHECK(uv.y == doctest::Approx(0.5).epsilon(tolerance));
+  check_uv(uv, {0.25f, 0.5f});
 }
 
 TEST_CASE("a plane's uv are distances along two axes across its normal") {
@@ -95,12 +105,16 @@ TEST_CASE("a picture on a plane stands upright and is not mirrored") {
       {"[0, 1e-6, -1]", {-0.9f, -0.9f, 1}, {1, 0, 0}, {0, 1, 0}},
       {"[1e-6, -1, 1e-6]", {0.9f, 1, -0.9f}, {-1, 0, 0}, {0, 0, 1}}};
   for (const Case& one : cases) {
-    CAPTURE(one.normal);
+    INFO("the plane's normal is ", std::string(one.normal));
     const Scene scene = with(std::string("type = \"plane\"\nnormal = ") +
                              one.normal + "\ndistance = 1");
     const auto uv = [&](const Vec3& x) { return uv_at(scene, {0, 0, 0}, x); };
     const Vec2 u = uv(one.low_left + one.right) - uv(one.low_left);
     const Vec2 v = uv(one.low_left + one.up) - uv(one.low_left);
+    INFO("to the right (u, v) changes by ", u,
+         ", expected (1, 0), and "
+         "upwards by ",
+         v, ", expected (0, 1)");
     CHECK(glm::length(u - Vec2(1, 0)) < 1e-4f);
     CHECK(glm::length(v - Vec2(0, 1)) < 1e-4f);
   }
@@ -134,10 +148,8 @@ TEST_CASE("a sphere is a globe: middle to -z, east to +x, north to +y") {
                         {{0, -9, -9}, 0.5f, 0.25f}};
   for (const Case& one : cases) {
     const Vec2 uv = uv_at(scene, one.from, {0, 0, 0});
-    CAPTURE(one.u);
-    CAPTURE(one.v);
-    CHECK(uv.x == doctest::Approx(one.u).epsilon(tolerance));
-    CHECK(uv.y == doctest::Approx(one.v).epsilon(tolerance));
+    INFO("seen from ", one.from);
+    check_uv(uv, {one.u, one.v});
   }
   CHECK(uv_at(scene, {0, 9, 0}, {0, 0, 0}).y == doctest::Approx(1));
   CHECK(uv_at(scene, {0, -9, 0}, {0, 0, 0}).y == doctest::Approx(0));
@@ -240,8 +252,7 @@ TEST_CASE("a globe's map moves with it") {
   const Scene scene =
       with("type = \"sphere\"\ncenter = [3, -2, 7]\nradius = 2");
   const Vec2 uv = uv_at(scene, {3, -2, 0}, {3, -2, 7});
-  CHECK(uv.x == doctest::Approx(0.5).epsilon(tolerance));
-  CHECK(uv.y == doctest::Approx(0.5).epsilon(tolerance));
+  check_uv(uv, {0.5f, 0.5f});
 }
 
 TEST_CASE("each rectangle has its own uv") {
@@ -251,8 +262,7 @@ TEST_CASE("each rectangle has its own uv") {
       "type = \"rectangle\"\ncorner = [0, 0, 1]\nedge_u = [1, 0, 0]\n"
       "edge_v = [0, 1, 0]");
   const Vec2 uv = uv_at(scene, {0.25f, 0.5f, 0}, {0.25f, 0.5f, 1});
-  CHECK(uv.x == doctest::Approx(0.25).epsilon(tolerance));
-  CHECK(uv.y == doctest::Approx(0.5).epsilon(tolerance));
+  check_uv(uv, {0.25f, 0.5f});
 }
 
 TEST_CASE("checkers over the position are cubes of 1/scale") {
@@ -296,8 +306,7 @@ TEST_CASE("checkers over uv: squares of 1/scale, the first at the corner") {
                         (static_cast<float>(row) + 0.5f) / 4, 1);
       const auto hit = scene.nearest_hit({{0, 0, 0}, normalize(target)});
       const Vec3 color = coefficient_at(pattern, scene, *hit, {0, 0, -1});
-      CAPTURE(row);
-      CAPTURE(column);
+      INFO("row ", row, ", column ", column);
       CHECK(color == Vec3((row + column) % 2 == 0 ? 1.0f : 0.0f));
     }
   }
@@ -324,6 +333,7 @@ TEST_CASE("a floor between two layers of cubes has no stray spots") {
     const auto hit = scene.nearest_hit(
         {{0, 0.3f, 0}, normalize(target - Vec3(0, 0.3f, 0))});
     // The cube below: floor(x), floor(y), floor(z) are 0, -2 and 2.
+    INFO("at ", target, ", expected the color of the cubes below the floor");
     REQUIRE(coefficient_at(pattern, scene, *hit, {0, 1, 0}) == Vec3(1));
   }
 }
@@ -336,3 +346,5 @@ TEST_CASE("Schlick's curve goes from the square view to the grazing one") {
   check_color(schlick(squarely, grazing, 0.5f),
               squarely + (grazing - squarely) / 32.0f);
 }
+
+TEST_SUITE_END();

@@ -3,6 +3,10 @@
 #include "stages/5_fresnel_textures/path_tracer.hpp"
 #include "support/thin_gaps.hpp"
 
+TEST_SUITE_BEGIN("analytic scenes");
+
 TEST_CASE("glass and gaps in a white room are invisible however thin") {
   lightwalk::tests::check_thin_gaps<lightwalk::stage5::PathTracer>();
 }
+
+TEST_SUITE_END();

@@ -1,181 +1,140 @@
-// What a student reads when tests fail: at most a screenful, and the most
-// telling first. `stageN_tests` by itself says everything.
+// The reporter "brief": collects what fails, and prints it at the end or, if
+// the suite was started by run_suite, tells that program at once.
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
 #include <string>
-#include <thread>
-#include <vector>
+
+#include "support/report.hpp"
+
+#if __has_include(<unistd.h>)
+#include <unistd.h>
+#endif
 
 namespace {
 
-/// One failed test, with what its first failed check says.
-struct Failure {
-  std::string test, says;
-  int checks = 0;
-  bool golden = false;
-};
-
-/// The text in lines of at most 78 columns, each behind `indent`.
-std::string wrapped(const std::string& text, const std::string& indent) {
-  std::string result;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string row;
-    for (std::string word; words >> word;) {
-      if (!row.empty() && indent.size() + row.size() + word.size() > 77) {
-        result += indent + row + '\n';
-        row.clear();
-      }
-      row += (row.empty() ? "" : " ") + word;
-    }
-    result += indent + row + '\n';
-  }
-  return result;
-}
+using lightwalk::tests::as_line;
+using lightwalk::tests::kind_of;
 
 class BriefReporter : public doctest::IReporter {
  public:
   explicit BriefReporter(const doctest::ContextOptions& options)
-      : options_(options), out_(*options.cout) {}
+      : options_(options) {
+    if (const char* pipe = std::getenv(lightwalk::tests::pipe_variable)) {
+      pipe_ = std::atoi(pipe);
+    }
+  }
 
   void test_case_start(const doctest::TestCaseData& test) override {
-    current_ = {};
-    current_.test = test.m_name;
-    current_.golden = std::string(test.m_test_suite) == "golden images";
-    name_ = test.m_name;
-    began_ = std::clock();
+    const int kind = kind_of(test.m_test_suite);
+    if (tell({"begin", test.m_name, std::to_string(kind)})) return;
+    report_.begin_test(test.m_name, kind);
   }
   void test_case_end(const doctest::CurrentTestCaseStats&) override {
-    name_ = nullptr;
-    if (current_.checks > 0) failures_.push_back(current_);
-    current_.checks = 0;
+    if (crashed_ || tell({"end"})) return;
+    report_.end_test();
   }
   void log_assert(const doctest::AssertData& data) override {
     if (!data.m_failed) return;
-    std::ostringstream says;
-    says << data.m_expr << '\n';
+    std::string says = std::string(data.m_expr) + '\n';
     if (data.m_threw) {
-      says << "threw: " << data.m_exception.c_str() << '\n';
-    } else {
-      says << "with values: " << data.m_decomp.c_str() << '\n';
+      says += std::string("threw: ") + data.m_exception.c_str() + '\n';
+    } else if (data.m_decomp.size() > 0 && data.m_decomp != data.m_expr) {
+      says += std::string("with values: ") + data.m_decomp.c_str() + '\n';
     }
-    add(says.str() + contexts() + place(data.m_file, data.m_line));
+    fail(contexts() + says, place(data.m_file, data.m_line));
   }
   void log_message(const doctest::MessageData& data) override {
-    if (data.m_severity == doctest::assertType::is_warn) return;
-    add(data.m_string.c_str() + std::string("\n") + contexts());
+    const std::string says = data.m_string.c_str();
+    if (data.m_severity != doctest::assertType::is_warn) {
+      fail(says + '\n' + contexts(), place(data.m_file, data.m_line));
+    } else if (!tell({"note", says})) {
+      report_.note(says);
+    }
   }
   void test_case_exception(const doctest::TestCaseException& error) override {
-    add((error.is_crash ? "crashed: " : "threw: ") +
-        std::string(error.error_string.c_str()) + '\n' + contexts());
+    crashed_ = crashed_ || error.is_crash;
+    // run_suite sees by itself how the program ends.
+    if (error.is_crash && pipe_ >= 0) return;
+    std::string before;
+    const int count = get_num_stringified_contexts();
+    for (int i = 0; i < count; ++i) {
+      before += std::string(get_stringified_contexts()[i].c_str()) + '\n';
+    }
+    fail((error.is_crash ? "crashed: " : "threw: ") +
+             std::string(error.error_string.c_str()) + '\n' + before,
+         "");
   }
 
   void test_run_end(const doctest::TestRunStats& stats) override {
-    if (failures_.empty()) {
-      out_ << stats.numTestCasesPassingFilters << " tests pass\n";
+    const unsigned tests = stats.numTestCasesPassingFilters;
+    if (pipe_ >= 0) {
+      if (!crashed_) tell({"done", std::to_string(tests)});
       return;
     }
-    out_ << failures_.size() << " of " << stats.numTestCasesPassingFilters
-         << " tests fail, the first of them:\n";
-    print(failures_.front());
-    const auto golden =
-        std::find_if(failures_.begin() + 1, failures_.end(),
-                     [](const Failure& one) { return one.golden; });
-    if (golden != failures_.end()) print(*golden);
-    std::size_t named = 0;
-    for (auto one = failures_.begin() + 1; one != failures_.end(); ++one) {
-      if (one == golden) continue;
-      if (named == most_named) break;
-      if (named++ == 0) out_ << "\nand\n";
-      out_ << "  " << one->test << '\n';
-    }
-    const std::size_t told = 1 + named + (golden != failures_.end());
-    if (told < failures_.size()) {
-      out_ << "  and " << failures_.size() - told << " more\n";
-    }
-    out_ << "\nAll that they say: "
-         << std::filesystem::absolute(options_.binary_name.c_str())
-                .lexically_normal()
-                .string()
-         << '\n';
+    *options_.cout << report_.summary(tests, std::filesystem::absolute(
+                                                 options_.binary_name.c_str())
+                                                 .lexically_normal()
+                                                 .string())
+                   << std::flush;
   }
 
+  void subcase_start(const doctest::SubcaseSignature&) override {
+    tell({"alive"});
+  }
   void report_query(const doctest::QueryData&) override {}
-  void test_run_start() override { std::thread(watch).detach(); }
+  void test_run_start() override {}
   void test_case_reenter(const doctest::TestCaseData&) override {}
-  void subcase_start(const doctest::SubcaseSignature&) override {}
   void subcase_end() override {}
   void test_case_skipped(const doctest::TestCaseData&) override {}
 
  private:
-  static constexpr std::size_t most_named = 8;
+  void fail(const std::string& says, const std::string& place) {
+    if (!tell({"fail", says, place})) report_.fail(says, place);
+  }
 
-  /// Processor time, so that a busy machine stops nobody. No right stage's
-  /// test takes a fortieth of it.
-  static constexpr int most_seconds = 120;
-
-  /// Ends the program when a test does not end, and says which.
-  static void watch() {
-    for (;;) {
-      std::this_thread::sleep_for(std::chrono::seconds(1));
-      const char* const name = name_;
-      if (!name || std::clock() - began_ < most_seconds * CLOCKS_PER_SEC) {
-        continue;
-      }
-      std::printf(
-          "a test does not end: %s\n"
-          "    stopped after %d seconds of processor time; is there a "
-          "path without an end?\n",
-          name, most_seconds);
-      std::fflush(stdout);
-      std::_Exit(1);
+  /// False where nobody listens.
+  bool tell(const std::vector<std::string>& fields) const {
+    if (pipe_ < 0) return false;
+#if __has_include(<unistd.h>)
+    const std::string line = as_line(fields);
+    std::size_t written = 0;
+    while (written < line.size()) {
+      const auto count =
+          write(pipe_, line.data() + written, line.size() - written);
+      if (count <= 0) break;
+      written += static_cast<std::size_t>(count);
     }
+#endif
+    return true;
   }
 
-  void add(const std::string& says) {
-    if (current_.checks++ == 0) current_.says = says;
-  }
-
-  static std::string place(const char* file, int line) {
-    return std::string(file) + ':' + std::to_string(line) + '\n';
+  /// The file as it is called in the tree, whose folders are known.
+  static std::string place(std::string file, int line) {
+    const std::size_t folder = file.rfind("/tests/");
+    if (folder != std::string::npos) file.erase(0, folder + 1);
+    return file + ':' + std::to_string(line);
   }
 
   /// What CAPTURE and INFO have noted.
   static std::string contexts() {
     std::ostringstream text;
-    const int count = doctest::IReporter::get_num_active_contexts();
+    const int count = get_num_active_contexts();
     for (int i = 0; i < count; ++i) {
-      doctest::IReporter::get_active_contexts()[i]->stringify(&text);
+      get_active_contexts()[i]->stringify(&text);
       text << '\n';
     }
     return text.str();
   }
 
-  void print(const Failure& failure) {
-    out_ << "\n  " << failure.test << '\n' << wrapped(failure.says, "    ");
-    if (failure.checks > 1) {
-      out_ << "    (and " << failure.checks - 1 << " more in this test)\n";
-    }
-  }
-
-  inline static std::atomic<const char*> name_{nullptr};
-  inline static std::atomic<std::clock_t> began_{0};
-
   const doctest::ContextOptions& options_;
-  std::ostream& out_;
-  Failure current_;
-  std::vector<Failure> failures_;
+  int pipe_ = -1;
+  bool crashed_ = false;
+  lightwalk::tests::Report report_;
 };
 
 }  // namespace

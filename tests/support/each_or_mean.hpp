@@ -10,6 +10,7 @@
 
 #include <string>
 
+#include "support/expectations.hpp"
 #include "support/renders.hpp"
 
 namespace lightwalk::tests {
@@ -41,14 +42,17 @@ class EachOrMean {
       if (wrong_ == 0) return "";
       return std::to_string(wrong_) + " of " +
              std::to_string(pixel_.samples) + " samples are wrong, one is " +
-             std::to_string(first_wrong_) + expected;
+             std::to_string(first_wrong_) + expected + ": " +
+             factor_in_words(static_cast<double>(first_wrong_) / expected_);
     }
     const double sigma = std::sqrt(pixel_.variance(0) / pixel_.samples);
     if (std::abs(pixel_.mean[0] - expected_) <= 4.4 * sigma + rounding_) {
       return "";
     }
     return "mean " + std::to_string(pixel_.mean[0]) + " +- " +
-           std::to_string(sigma) + expected;
+           std::to_string(sigma) + expected + ": " +
+           factor_in_words(pixel_.mean[0] / expected_,
+                           sigma / std::abs(expected_));
   }
 
   /// Fails unless each sample is right, or else their mean.
@@ -67,19 +71,5 @@ class EachOrMean {
   std::uint32_t wrong_ = 0;
   float first_wrong_ = 0;
 };
-
-/// A variance that is known exactly. Less than that is a mistake: something
-/// is not random that should be. More of it is told: a right program may
-/// leave more to chance.
-inline void check_variance(const std::string& what, const Pixel& pixel,
-                           int channel, double expected, double share) {
-  const double variance = pixel.variance(channel);
-  INFO(what, ": variance ", variance, ", expected ", expected);
-  CHECK(variance >= (1 - share) * expected);
-  if (variance > (1 + share) * expected) {
-    MESSAGE(what, ": ", variance / expected,
-            " times the noise of the course's own program");
-  }
-}
 
 }  // namespace lightwalk::tests

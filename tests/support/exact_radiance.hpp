@@ -12,6 +12,7 @@
 #include <sstream>
 #include <string>
 
+#include "support/expectations.hpp"
 #include "support/renders.hpp"
 
 namespace lightwalk::tests {
@@ -78,7 +79,9 @@ inline std::string wrong_mean(const Pixel& pixel,
     says << "channel " << c << ": mean " << pixel.mean[c] << " +- " << sigma
          << ", expected " << expected[c];
     if (expected[c] != 0) {
-      says << ", which is " << pixel.mean[c] / expected[c] << " times that";
+      says << ": "
+           << factor_in_words(pixel.mean[c] / expected[c],
+                              sigma / std::abs(expected[c]));
     }
     return says.str();
   }
@@ -105,7 +108,8 @@ void check_radiance(const std::string& what, const Scene& scene,
   }
   if (!all_right) pixel = estimate(tracer, ray, samples);
   INFO(what, ", at most ", settings.max_bounces, " bounces, ",
-       settings.sampling == Sampling::uniform ? "uniform" : "cosine",
+       std::string(settings.sampling == Sampling::uniform ? "uniform"
+                                                          : "cosine"),
        " sampling");
   INFO("samples that are infinite or not a number: ", pixel.dropped);
   CHECK(pixel.dropped == 0);

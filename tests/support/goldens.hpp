@@ -74,8 +74,9 @@ void check_golden(int stage, const std::string& name) {
   if (same && (noise > 1.5 || noise < 0.6)) {
     MESSAGE(name, ": the picture is right, and its variance is ", noise,
             " times the golden's: ",
-            noise > 1 ? "noisier than it should be"
-                      : "suspiciously quiet (clamped samples? no roulette?)");
+            std::string(noise > 1 ? "noisier than it should be"
+                                  : "suspiciously quiet (clamped samples? "
+                                    "no roulette?)"));
   }
 }
 

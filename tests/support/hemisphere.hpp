@@ -5,11 +5,13 @@
 #include <doctest/doctest.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "common/math/random.hpp"
 #include "common/math/vector.hpp"
 #include "support/chi_squared.hpp"
+#include "support/expectations.hpp"
 
 namespace lightwalk::tests {
 
@@ -35,22 +37,27 @@ inline void check_directions(const HemisphereSampler& sampler) {
     for (const Vec2 u : {Vec2(0, 0), Vec2(0, 0.9999999f), Vec2(0.9999999f, 0),
                          Vec2(0.5f, 0.25f), Vec2(0.3f, 0.7f)}) {
       const Vec3 wi = sampler(normal, u);
-      CAPTURE(normal.x);
-      CAPTURE(normal.y);
-      CAPTURE(normal.z);
-      CAPTURE(u.x);
-      CAPTURE(u.y);
-      REQUIRE(std::abs(length(wi) - 1) < 1e-5f);
-      REQUIRE(dot(wi, normal) > -1e-6f);
+      INFO("wi = ", wi, " for the normal ", normal, " and u = ", u);
+      require_value("length of wi", static_cast<double>(length(wi)), 1, 1e-5);
+      const float cosine = dot(wi, normal);
+      INFO("it is below the surface: n . wi = ", cosine);
+      REQUIRE(cosine > -1e-6f);
     }
   }
 }
+
+/// The mean cosine tells most about a density, and a ring or a sector that
+/// is too full tells where. Of a right sampler, one in a million fails.
+struct HemisphereCounts {
+  double p_value = 0, mean_cosine = 0, expected_mean_cosine = 0;
+  std::string fullest;  ///< the cell that is farthest off, in words
+};
 
 /// Directions sorted into cells of equal solid angle: bins of the cosine
 /// times bins of the azimuth about the normal. `cumulative(c)` is the
 /// probability that a direction's cosine lies below c; the azimuth is
 /// uniform.
-inline double hemisphere_p_value(
+inline HemisphereCounts count_hemisphere(
     const HemisphereSampler& sampler, const Vec3& normal,
     const std::function<double(double)>& cumulative) {
   constexpr int rings = 12, sectors = 16, samples = 200'000;
@@ -59,10 +66,12 @@ inline double hemisphere_p_value(
       std::abs(normal.x) < 0.5f ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   const Vec3 x = normalize(cross(aside, normal)), y = cross(normal, x);
   std::vector<double> observed(rings * sectors), expected(rings * sectors);
+  HemisphereCounts result;
   Random random(5, 0, 0);
   for (int i = 0; i < samples; ++i) {
     const Vec2 u = random.uniform_2d();
     const Vec3 wi = sampler(normal, u);
+    result.mean_cosine += static_cast<double>(dot(wi, normal)) / samples;
     const float turn = std::atan2(dot(wi, y), dot(wi, x)) / two_pi + 0.5f;
     const int ring =
         std::clamp(static_cast<int>(dot(wi, normal) * rings), 0, rings - 1);
@@ -71,14 +80,44 @@ inline double hemisphere_p_value(
     observed[static_cast<std::size_t>(ring * sectors + sector)] += 1;
   }
   for (int ring = 0; ring < rings; ++ring) {
-    const double share = cumulative((ring + 1.0) / rings) -
-                         cumulative(static_cast<double>(ring) / rings);
+    const double low = static_cast<double>(ring) / rings;
+    const double share = cumulative(low + 1.0 / rings) - cumulative(low);
+    result.expected_mean_cosine += share * (low + 0.5 / rings);
     for (int sector = 0; sector < sectors; ++sector) {
       expected[static_cast<std::size_t>(ring * sectors + sector)] =
           samples * share / sectors;
     }
   }
-  return chi_squared_test(observed, expected).p_value;
+  result.p_value = chi_squared_test(observed, expected).p_value;
+  double farthest = 0;
+  for (std::size_t i = 0; i < observed.size(); ++i) {
+    const double off =
+        std::abs(observed[i] - expected[i]) / std::sqrt(expected[i]);
+    if (off <= farthest) continue;
+    farthest = off;
+    const double low = static_cast<double>(i / sectors) / rings;
+    result.fullest =
+        text_of(observed[i]) + " directions where " +
+        text_of(std::round(expected[i])) + " are expected: cos from " +
+        text_of(low) + " to " + text_of(low + 1.0 / rings) + ", phi from " +
+        std::to_string(360 * (i % sectors) / sectors) + " to " +
+        std::to_string(360 * (i % sectors + 1) / sectors) + " degrees";
+  }
+  return result;
+}
+
+/// Fails unless a sampler has the density that is called `density`.
+inline void check_hemisphere(
+    const std::string& density, const HemisphereSampler& sampler,
+    const Vec3& normal, const std::function<double(double)>& cumulative) {
+  const HemisphereCounts counts =
+      count_hemisphere(sampler, normal, cumulative);
+  if (counts.p_value > significance) return;
+  FAIL_CHECK("directions do not have the density "
+             << density << ": mean cosine " << counts.mean_cosine
+             << ", expected " << counts.expected_mean_cosine << "; "
+             << counts.fullest << " (normal " << normal << ", p-value "
+             << counts.p_value << ")");
 }
 
 }  // namespace lightwalk::tests

@@ -10,6 +10,7 @@
 #include "common/render/film.hpp"
 #include "common/render/paint.hpp"
 #include "common/scene_file/loaded_scene.hpp"
+#include "support/printing.hpp"
 
 namespace lightwalk::tests {
 
@@ -32,6 +33,11 @@ Pixel estimate(const PathTracer& tracer, const Ray& ray, int samples,
     pixel.add(tracer.radiance(ray, random));
   }
   return pixel;
+}
+
+/// The first channel.
+inline double red(const Vec3& color) {
+  return static_cast<double>(color.x);
 }
 
 /// How far an estimate is from the truth, in its own standard deviations.

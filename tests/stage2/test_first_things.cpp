@@ -1,0 +1,23 @@
+// What every path tracer must do, and each of these tests asks one thing.
+
+#include "stages/2_next_event/path_tracer.hpp"
+#include "support/first_things.hpp"
+
+using namespace lightwalk::tests;
+using lightwalk::stage2::PathTracer;
+
+TEST_SUITE_BEGIN("units");
+
+TEST_CASE("a ray that meets nothing brings the background") {
+  check_nothing_is_black<PathTracer>();
+}
+
+TEST_CASE("every ray has a direction of unit length") {
+  check_unit_directions<PathTracer>("{ kd = 0.5 }");
+}
+
+TEST_CASE("a ray that leaves the scene does not lose what was gathered") {
+  check_light_is_kept_on_leaving<PathTracer>();
+}
+
+TEST_SUITE_END();

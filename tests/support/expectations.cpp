@@ -1,0 +1,176 @@
+#include "support/expectations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace lightwalk::tests {
+
+namespace {
+
+std::string formatted(const char* format, double number) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, number);
+  return text;
+}
+
+/// Whether a number is the expected one, to a share of `epsilon`. Expects
+/// exactly 0 if that is expected. What is not a number is none.
+bool is_value(double actual, double expected, double epsilon) {
+  return std::abs(actual - expected) <= epsilon * std::abs(expected);
+}
+
+std::string seen_and_expected(const std::string& what,
+                              const std::string& seen,
+                              const std::string& expected,
+                              const std::string& difference) {
+  return what + ": " + seen + ", expected " + expected +
+         (difference.empty() ? "" : ": " + difference);
+}
+
+/// What sets `actual` apart from `expected`, in words.
+std::string difference_in_words(double actual, double expected,
+                                double uncertainty) {
+  if (std::isnan(actual)) return "it is not a number";
+  if (std::isinf(actual)) return "it is infinite";
+  if (actual == 0) return "there is none";
+  if (expected == 0) return "there should be none";
+  if (std::abs(actual / expected - 1) < 0.002) return "";
+  return factor_in_words(actual / expected, uncertainty);
+}
+
+/// Empty where the value is right.
+std::string wrong_value(const std::string& what, double actual,
+                        double expected, double epsilon) {
+  if (is_value(actual, expected, epsilon)) return "";
+  return seen_and_expected(what, text_of(actual), text_of(expected),
+                           difference_in_words(actual, expected, 1e-4));
+}
+
+/// The same for three channels: one factor if it is the same in all.
+std::string wrong_color(const std::string& what, const Vec3& actual,
+                        const Vec3& expected, double epsilon) {
+  const char* const channels[] = {"red", "green", "blue"};
+  std::string words;
+  bool wrong = false, alike = true;
+  for (int c = 0; c < 3; ++c) {
+    const auto a = static_cast<double>(actual[c]);
+    const auto e = static_cast<double>(expected[c]);
+    if (is_value(a, e, epsilon)) {
+      alike = alike && e == 0;
+      continue;
+    }
+    const std::string one = difference_in_words(a, e, 1e-4);
+    alike = alike && (!wrong || one == words);
+    if (!wrong || !alike) words = one;
+    if (!alike && !one.empty()) words = std::string(channels[c]) + ": " + one;
+    wrong = true;
+  }
+  return wrong ? seen_and_expected(what, text_of(actual), text_of(expected),
+                                   words)
+               : "";
+}
+
+}  // namespace
+
+std::string factor_in_words(double ratio, double uncertainty) {
+  struct Factor {
+    const char *name, *inverse;
+    double value;
+  };
+  const double pi = std::acos(-1.0);
+  const Factor factors[] = {{"2", "1/2", 2},
+                            {"3", "1/3", 3},
+                            {"4", "1/4", 4},
+                            {"pi", "1/pi", pi},
+                            {"2 pi", "1/(2 pi)", 2 * pi},
+                            {"4 pi", "1/(4 pi)", 4 * pi},
+                            {"pi^2", "1/pi^2", pi * pi},
+                            {"1.5 (eta)", "1/1.5 (1/eta)", 1.5},
+                            {"2.25 (eta^2)", "1/2.25 (1/eta^2)", 2.25},
+                            {"5.0625 (eta^4)", "1/5.0625 (1/eta^4)", 5.0625}};
+  const double tolerance = std::max(3 * uncertainty, 1e-4);
+  std::string name = formatted("%.4g", ratio);
+  // Where the noise leaves more than one, none is named.
+  int found = 0;
+  for (const Factor& one : factors) {
+    const bool is_it = std::abs(ratio / one.value - 1) < tolerance;
+    const bool is_inverse = std::abs(ratio * one.value - 1) < tolerance;
+    if (uncertainty > 0.02 || (!is_it && !is_inverse)) continue;
+    name = ++found > 1 ? formatted("%.4g", ratio)
+           : is_it     ? one.name
+                       : one.inverse;
+  }
+  return name + " times what it should be";
+}
+
+bool check_value(const std::string& what, double actual, double expected,
+                 double epsilon, SourceLine place) {
+  const std::string wrong = wrong_value(what, actual, expected, epsilon);
+  if (!wrong.empty()) ADD_FAIL_CHECK_AT(place.file, place.line, wrong);
+  return wrong.empty();
+}
+
+bool check_color(const std::string& what, const Vec3& actual,
+                 const Vec3& expected, double epsilon, SourceLine place) {
+  const std::string wrong = wrong_color(what, actual, expected, epsilon);
+  if (!wrong.empty()) ADD_FAIL_CHECK_AT(place.file, place.line, wrong);
+  return wrong.empty();
+}
+
+void require_value(const std::string& what, double actual, double expected,
+                   double epsilon, SourceLine place) {
+  if (is_value(actual, expected, epsilon)) return;
+  ADD_FAIL_AT(place.file, place.line,
+              wrong_value(what, actual, expected, epsilon));
+}
+
+void require_color(const std::string& what, const Vec3& actual,
+                   const Vec3& expected, double epsilon, SourceLine place) {
+  const std::string wrong = wrong_color(what, actual, expected, epsilon);
+  if (!wrong.empty()) ADD_FAIL_AT(place.file, place.line, wrong);
+}
+
+bool check_mean(const std::string& what, const Pixel& pixel, int channel,
+                double expected, double rounding, SourceLine place) {
+  const double mean = pixel.mean[channel];
+  const double sigma =
+      pixel.samples == 0 ? 0
+                         : std::sqrt(pixel.variance(channel) / pixel.samples);
+  const double size = std::abs(expected);
+  if (pixel.samples > 0 && pixel.dropped == 0 &&
+      std::abs(mean - expected) <=
+          most_deviations * sigma + rounding * size) {
+    return true;
+  }
+  std::string words =
+      difference_in_words(mean, expected, expected == 0 ? 1 : sigma / size);
+  if (pixel.dropped > 0) {
+    words = std::to_string(pixel.dropped) +
+            " samples are infinite or not a number";
+  } else if (sigma > 0 && words.empty()) {
+    words = formatted("%.1f", std::abs(mean - expected) / sigma) +
+            " standard deviations off";
+  }
+  ADD_FAIL_CHECK_AT(
+      place.file, place.line,
+      seen_and_expected(
+          what, "mean " + text_of(mean) + " +- " + formatted("%.1g", sigma),
+          text_of(expected), words));
+  return false;
+}
+
+bool check_variance(const std::string& what, const Pixel& pixel, int channel,
+                    double expected, double epsilon, SourceLine place) {
+  const double variance = pixel.variance(channel);
+  if (variance > (1 + epsilon) * expected) {
+    const std::string note = what + ": " + text_of(variance / expected) +
+                             " times the noise of the course's own program";
+    MESSAGE(note);
+    return true;
+  }
+  return check_value("the variance of " + what, variance, expected, epsilon,
+                     place);
+}
+
+}  // namespace lightwalk::tests

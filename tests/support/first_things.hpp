@@ -1,0 +1,113 @@
+#pragma once
+
+// # What to ask a path tracer before anything else
+//
+// Each of these fails for one reason alone, and while it fails nearly all
+// other tests do, too. So they are the first to be read.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "common/scene/path_log.hpp"
+#include "support/expectations.hpp"
+#include "support/renders.hpp"
+
+namespace lightwalk::tests {
+
+/// A floor with this material under a lid at y = 1, or under nothing.
+inline Scene floor_and_light(const std::string& floor, bool lid) {
+  std::string text =
+      "[materials]\nfloor = " + floor +
+      "\nblack = { kd = 0 }\n[[shapes]]\ntype = \"plane\"\n"
+      "normal = [0, 1, 0]\ndistance = 0\nmaterial = \"floor\"\n"
+      "[[lights]]\ntype = \"point\"\ncenter = [0, 0.8, 0]\nintensity = 9\n";
+  if (lid) {
+    text +=
+        "[[shapes]]\ntype = \"plane\"\nnormal = [0, -1, 0]\n"
+        "distance = 1\nmaterial = \"black\"\n";
+  }
+  return scene_text(text);
+}
+
+/// Where there is nothing there is no light.
+template <class PathTracer>
+void check_nothing_is_black() {
+  const Scene scene = floor_and_light("{ kd = 0.5 }", false);
+  const PathTracer tracer(scene, {});
+  Random random(1, 0, 0);
+  check_color("a ray that meets nothing brings the background",
+              tracer.radiance({{0, 1, 0}, {0.6f, 0.8f, 0}}, random), Vec3(0));
+}
+
+/// The floor is as bright without the lid as with it, whatever that is.
+template <class PathTracer>
+void check_light_is_kept_on_leaving() {
+  RenderSettings settings;
+  settings.max_bounces = 2;
+  const Ray ray{{0, 0.5f, 0.1f}, {0, -1, 0}};
+  const auto under = [&](bool lid) {
+    const Scene scene = floor_and_light("{ kd = 0.5 }", lid);
+    return estimate(PathTracer(scene, settings), ray, 2000);
+  };
+  const Pixel closed = under(true), open = under(false);
+  const double noise =
+      std::sqrt((closed.variance(0) + open.variance(0)) / 2000);
+  if (std::abs(closed.mean[0] - open.mean[0]) <=
+      most_deviations * noise + 1e-4 * closed.mean[0]) {
+    return;
+  }
+  FAIL_CHECK("a floor under a light has radiance "
+             << closed.mean[0] << " where its paths end at a black lid, and "
+             << open.mean[0]
+             << " where they leave the scene: what a path has gathered is "
+                "its answer, even if the last ray meets nothing");
+}
+
+/// What one path, or its branches, asked the scene.
+template <class PathTracer>
+PathLog listen_to(const PathTracer& tracer, const Ray& ray,
+                  std::uint64_t sample) {
+  PathLog log;
+  struct Listening {
+    explicit Listening(PathLog* one) { path_log = one; }
+    ~Listening() { path_log = nullptr; }
+  } const listening(&log);
+  Random random(1, 0, sample);
+  tracer.radiance(ray, random);
+  return log;
+}
+
+/// All rays of some paths: the camera's are, and the others shall be.
+template <class PathTracer>
+void check_unit_directions(const std::string& material) {
+  const Scene scene = scene_text(
+      "[materials]\nfloor = " + material +
+      "\nlamp = { ke = 1 }\n[[shapes]]\ntype = \"sphere\"\n"
+      "center = [0, 0, 0]\nradius = 1\nmaterial = \"floor\"\n"
+      "[[shapes]]\ntype = \"plane\"\nnormal = [0, 1, 0]\ndistance = 2\n"
+      "material = \"floor\"\n[[shapes]]\ntype = \"rectangle\"\n"
+      "corner = [2, 3, 2]\nedge_u = [1, 0, 0]\nedge_v = [0, 0, 1]\n"
+      "material = \"lamp\"\n[[lights]]\ntype = \"point\"\n"
+      "center = [2, 3, -2]\nintensity = 9\n");
+  RenderSettings settings;
+  settings.max_bounces = 4;
+  const PathTracer tracer(scene, settings);
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    const PathLog log = listen_to(tracer, {{0.3f, 0.2f, -5}, {0, 0, 1}}, i);
+    for (const Ray& ray : log.rays) {
+      require_value(
+          "the length of the direction of a ray on material = " + material,
+          static_cast<double>(length(ray.direction)), 1, 1e-4);
+    }
+    for (const PathVertex& vertex : log.vertices) {
+      for (const ShadowRay& shadow : vertex.shadow_rays) {
+        require_value("the length of the direction of a shadow ray",
+                      static_cast<double>(length(shadow.ray.direction)), 1,
+                      1e-4);
+      }
+    }
+  }
+}
+
+}  // namespace lightwalk::tests
