@@ -151,11 +151,12 @@ TEST_CASE("every sample goes another way") {
     const Ray ray{{0, 0, 0}, {0, -1, 0}};
     if (tracer(scene, 1).radiance(ray, random).x > 0) ++bright;
   }
-    INFO(bright, " of ", samples,
-         " paths met the sky, expected about half, or fewer where roulette ends "
-         "some: each sample needs its own random numbers");
-    CHECK(bright > samples / 10);
-    CHECK(bright < samples * 9 / 10);
+  INFO(
+      bright, " of ", samples,
+      " paths met the sky, expected about half, or fewer where roulette ends "
+      "some: each sample needs its own random numbers");
+  CHECK(bright > samples / 10);
+  CHECK(bright < samples * 9 / 10);
 }
 
 TEST_SUITE_END();
