@@ -59,7 +59,7 @@ inline std::string as_figure(double x) {
   return text;
 }
 
-/// "in all channels", "in red and green".
+/// "in all channels", "in red and green for sure": the others may be wrong.
 inline std::string channels_in_words(const std::array<bool, 3>& channels) {
   static const char* names[] = {"red", "green", "blue"};
   std::string text;
@@ -68,7 +68,7 @@ inline std::string channels_in_words(const std::array<bool, 3>& channels) {
     if (!channels[c]) continue;
     text += std::string(count++ ? " and " : "in ") + names[c];
   }
-  return count == 3 ? "in all channels" : text;
+  return count == 3 ? "in all channels" : text + " for sure";
 }
 
 /// "0.8 times where 'red' or 'white' is seen, 0.6 times where 'plastic' is
