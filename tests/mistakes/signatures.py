@@ -76,15 +76,25 @@ def in_parallel(jobs, function, items):
         return list(pool.map(function, items))
 
 
-def collect(rows):
-    """Writes the signatures of all programs, a file for a stage and scene."""
+def collect(rows, all_of_them):
+    """Writes the signatures of all programs, a file for a stage and scene.
+
+    Those of other mistakes stay, unless these are all that there are.
+    """
     SIGNATURES.mkdir(exist_ok=True)
+    made = {(f"stage{mistake.stage}", mistake.name) for mistake, _ in rows}
     for old in SIGNATURES.glob("*.txt"):
-        old.unlink()
+        stage = old.name.split("_")[0]
+        lines = old.read_text().splitlines(keepends=True)
+        kept = [] if all_of_them else [one for one in lines if (stage, one.split()[0]) not in made]
+        old.write_text("".join(kept))
     for _, program in rows:
         for path in sorted(program.parent.glob("stage*_*.txt")):
             with open(SIGNATURES / path.name, "a") as file:
                 file.write(path.read_text())
+    for path in SIGNATURES.glob("*.txt"):
+        if path.stat().st_size == 0:
+            path.unlink()
 
 
 def confusion(rows, reports):
@@ -113,6 +123,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--stage", type=int)
     parser.add_argument("names", nargs="*", help="stageN/name, only these")
+    parser.add_argument("--signatures-only", action="store_true", help="half the time, and no table")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
     folder = BUILD / "signatures"
@@ -139,7 +150,9 @@ def main():
         rows = in_parallel(options.jobs, render, mistakes)
     except Failure as failure:
         sys.exit(f"signatures: {failure}")
-    collect(rows)
+    collect(rows, all_of_them=not options.names and options.stage is None)
+    if options.signatures_only:
+        return
     reports = in_parallel(options.jobs, lambda row: run_goldens(row[1], 77), rows)
     for (_, program), report in zip(rows, reports):
         (program.parent / "report.txt").write_text(report)
