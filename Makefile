@@ -96,7 +96,7 @@ test: setup $(BUILD)/CMakeCache.txt
 $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS) --target $*_header
 	@cmake --build $(BUILD) -j $(JOBS) --target $*_tests
-	@cd $(BUILD) && ./run_suite ./$*_tests -r=brief
+	@cd $(BUILD) && ./run_suite ./$*_tests
 
 # make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml OPTIONS="--spp 64": A and
 # B may be stages, images, or programs. Exit code 1 where they differ.

@@ -13,7 +13,7 @@ SUITE = "./bad_suite"
 def run(tests, seconds=60, env=None):
     """The report on the tests with these names, and the exit code."""
     done = subprocess.run(
-        ["./run_suite", "--seconds", str(seconds), SUITE, "-r=brief", f"-tc={tests}"],
+        ["./run_suite", "--seconds", str(seconds), SUITE, f"-tc={tests}"],
         cwd=BUILD,
         capture_output=True,
         text=True,

@@ -1,4 +1,4 @@
-// run_suite [--seconds N] SUITE -r=brief: runs a suite and prints its report.
+// run_suite [--seconds N] SUITE [OPTION...]: runs a suite and prints its report.
 //
 // The suite contains code that is being written. It may crash, hang, or leave
 // by std::exit(0) before the last test. None of this happens to the program
@@ -257,7 +257,7 @@ int run(const std::vector<std::string>& command, double most_seconds) {
   std::string text;
   for (const std::string& filter : filters()) {
     std::vector<std::string> words = command;
-    words.push_back(filter);
+    words.insert(words.end(), {"-r=brief", filter});
     const End end = listen(words, most_seconds, suite);
     if (WIFSIGNALED(end.status) && WTERMSIG(end.status) == SIGINT) return 1;
     const std::string why = broken_off(end, suite, most_seconds);
