@@ -22,36 +22,43 @@ class EachOrMean {
       : expected_(expected), rounding_(rounding * expected) {}
 
   void add(float sample) {
-    pixel_.add(Vec3(sample));
     const bool right =
         std::abs(static_cast<double>(sample) - expected_) <= rounding_;
-    if (!right && wrong_++ == 0) first_wrong_ = sample;
+    ++samples_;
+    if (right) return;
+    if (wrong_.samples == 0) first_wrong_ = sample;
+    wrong_.add(Vec3(sample));
+    (static_cast<double>(sample) < expected_ ? below_ : above_) += 1;
   }
 
-  /// At most one sample in ten is wrong: each of them is a mistake then.
-  bool counts_each() const { return wrong_ * 10 <= pixel_.samples; }
+  /// No sample is wrong, or only to one side: then each of them is a mistake.
+  bool counts_each() const { return below_ == 0 || above_ == 0; }
 
-  /// Empty where the samples are what they should be.
+  /// Empty where the samples are what they should be. The mean is taken over
+  /// those that are not `expected`, for the others would only thin it.
   std::string wrong() const {
     const std::string expected = ", expected " + std::to_string(expected_);
-    if (pixel_.dropped > 0) {
-      return std::to_string(pixel_.dropped) +
+    if (wrong_.dropped > 0) {
+      return std::to_string(wrong_.dropped) +
              " samples are infinite or not a number" + expected;
     }
     if (counts_each()) {
-      if (wrong_ == 0) return "";
-      return std::to_string(wrong_) + " of " +
-             std::to_string(pixel_.samples) + " samples are wrong, one is " +
+      if (wrong_.samples == 0) return "";
+      return std::to_string(wrong_.samples) + " of " +
+             std::to_string(samples_) + " samples are wrong, one is " +
              std::to_string(first_wrong_) + expected + ": " +
              factor_in_words(static_cast<double>(first_wrong_) / expected_);
     }
-    const double sigma = std::sqrt(pixel_.variance(0) / pixel_.samples);
-    if (std::abs(pixel_.mean[0] - expected_) <= 4.4 * sigma + rounding_) {
+    const double sigma = std::sqrt(wrong_.variance(0) / wrong_.samples);
+    if (std::abs(wrong_.mean[0] - expected_) <= 4.4 * sigma + rounding_) {
       return "";
     }
-    return "mean " + std::to_string(pixel_.mean[0]) + " +- " +
-           std::to_string(sigma) + expected + ": " +
-           factor_in_words(pixel_.mean[0] / expected_,
+    return std::to_string(wrong_.samples) + " of " +
+           std::to_string(samples_) +
+           " samples are not the same, and their mean is " +
+           std::to_string(wrong_.mean[0]) + " +- " + std::to_string(sigma) +
+           expected + ": " +
+           factor_in_words(wrong_.mean[0] / expected_,
                            sigma / std::abs(expected_));
   }
 
@@ -67,8 +74,8 @@ class EachOrMean {
 
  private:
   double expected_, rounding_;
-  Pixel pixel_;
-  std::uint32_t wrong_ = 0;
+  Pixel wrong_;
+  std::uint32_t samples_ = 0, below_ = 0, above_ = 0;
   float first_wrong_ = 0;
 };
 
