@@ -7,7 +7,7 @@
 // foresee. Only when they are on the disk is that file renamed, which
 // replaces the old one in one step. Where anything fails, the file with the
 // odd name is removed, and the old one has not been touched. It is only left
-// behind where nothing can be done any more, after `kill -9` for instance.
+// behind where nothing can be done any more: where the power fails, say.
 //
 // What is at the other name of a hard link stays as it was: the new picture
 // is a new file. To write into the old one would keep the link, and would
