@@ -55,6 +55,8 @@ struct Lit {
 
 }  // namespace
 
+TEST_SUITE_BEGIN("units");
+
 TEST_CASE(
     "a point light at the origin, in a wall, lights what is before it") {
   Random random(7, 0, 0);
@@ -80,3 +82,5 @@ TEST_CASE("a wall one unit before a point light far away keeps its light") {
                   " of 1000 places on the floor get light through the wall");
   }
 }
+
+TEST_SUITE_END();

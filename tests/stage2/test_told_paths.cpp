@@ -5,9 +5,13 @@
 
 using namespace lightwalk::tests;
 
+TEST_SUITE_BEGIN("relations");
+
 TEST_CASE("a told path is the sum that is computed, vertex by vertex") {
   check_told_paths<lightwalk::stage2::PathTracer>(
       "[[lights]]\ntype = \"point\"\n"
       "center = [0, 0, 0]\n"
       "intensity = 3.14159265\n");
 }
+
+TEST_SUITE_END();

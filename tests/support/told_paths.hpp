@@ -51,7 +51,6 @@ material = "wall"
   // kd + kd^2 + ... + kd^5, of red.
   EachOrMean seen(0.8 * (1 - std::pow(0.8, 5)) / 0.2, 1e-5);
   for (std::uint64_t sample = 0; sample < 50; ++sample) {
-    CAPTURE(sample);
     PathLog log;
     Random random(1, 0, sample);
     const Vec3 radiance = listen(tracer, ray, random, log);
@@ -69,16 +68,16 @@ material = "wall"
     sum = Vec3(0);
     Vec3 shares(1);  // of throughput in the three channels, red's being 1
     for (std::size_t i = 0; i < log.vertices.size(); ++i) {
-      CAPTURE(i);
       const PathVertex& vertex = log.vertices[i];
       const Vec3& throughput = vertex.throughput;
       CHECK(vertex.bounce == static_cast<int>(i));
       if (i == 0) CHECK(throughput.x == 1);
       for (int c = 0; c < 3; ++c) {
-        CAPTURE(c);
-        INFO("throughput is (", throughput.x, ", ", throughput.y, ", ",
-             throughput.z, "), sum is (", vertex.sum.x, ", ", vertex.sum.y,
-             ", ", vertex.sum.z, ")");
+        INFO("channel ", c, " at vertex ", i, ": throughput ", throughput[c],
+             ", sum gathered before it ", vertex.sum[c], ", expected ",
+             sum[c],
+             ": each vertex adds its throughput times kd. If tests of light "
+             "fail, too, begin there");
         CHECK(throughput[c] > 0);
         CHECK(throughput[c] / throughput.x ==
               doctest::Approx(shares[c]).epsilon(1e-5));
