@@ -80,20 +80,14 @@ void with_path_tracer(Use use) {
   }
 }
 
-/// While it lives, the path of this thread is listened to, up to a length
-/// that nobody would read.
-class Listener final : public RayWatcher {
+/// While it lives, a path of this thread ends at a length that nobody would
+/// read.
+class LengthLimit final : public RayWatcher {
  public:
-  explicit Listener(PathLog& log) {
-    path_log = &log;
-    ray_watcher = this;
-  }
-  ~Listener() {
-    path_log = nullptr;
-    ray_watcher = nullptr;
-  }
-  Listener(const Listener&) = delete;
-  Listener& operator=(const Listener&) = delete;
+  LengthLimit() { ray_watcher = this; }
+  ~LengthLimit() { ray_watcher = nullptr; }
+  LengthLimit(const LengthLimit&) = delete;
+  LengthLimit& operator=(const LengthLimit&) = delete;
 
   void look() override {
     if (rays_cast - before_ > 100'000) throw Stopped();
@@ -172,7 +166,6 @@ int paint_scene(const Program& program, const Tracing& tracing,
       .cpu_seconds = static_cast<double>(cpu_time) / CLOCKS_PER_SEC,
       .interrupted =
           interrupted && info.samples_per_pixel < settings.samples_per_pixel,
-      .outputs = options.outputs,
   };
   const bool all_written = write_files(program.name, options, result, report);
   say_what_was_dropped(info);
@@ -203,7 +196,8 @@ int tell_path(const Program& program, const Tracing& tracing,
   PathLog log;
   Vec3 radiance;
   try {
-    const Listener listener(log);
+    const PathListener listener(log);
+    const LengthLimit limit;
     with_path_tracer(
         [&] { radiance = tracing.sample(loaded.scene, settings, which); });
   } catch (const Stopped&) {

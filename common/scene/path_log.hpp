@@ -39,6 +39,15 @@ struct PathLog {
 /// Who listens to the paths of this thread; null if nobody does.
 inline constinit thread_local PathLog* path_log = nullptr;
 
+/// While it lives, the paths of this thread are heard.
+class PathListener {
+ public:
+  explicit PathListener(PathLog& log) { path_log = &log; }
+  ~PathListener() { path_log = nullptr; }
+  PathListener(const PathListener&) = delete;
+  PathListener& operator=(const PathListener&) = delete;
+};
+
 /// Says where the path is: `throughput` is what light from here on counts,
 /// `sum` what has been found before. Changes nothing.
 inline void log_vertex(const Surface& surface, const Vec3& throughput,

@@ -69,10 +69,7 @@ template <class PathTracer>
 PathLog listen_to(const PathTracer& tracer, const Ray& ray,
                   std::uint64_t sample) {
   PathLog log;
-  struct Listening {
-    explicit Listening(PathLog* one) { path_log = one; }
-    ~Listening() { path_log = nullptr; }
-  } const listening(&log);
+  const PathListener listener(log);
   Random random(1, 0, sample);
   tracer.radiance(ray, random);
   return log;

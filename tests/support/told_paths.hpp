@@ -13,17 +13,6 @@
 
 namespace lightwalk::tests {
 
-/// The radiance of one path, and what it told.
-template <class PathTracer>
-Vec3 listen(const PathTracer& tracer, const Ray& ray, Random& random,
-            PathLog& log) {
-  struct Listening {
-    explicit Listening(PathLog& to) { path_log = &to; }
-    ~Listening() { path_log = nullptr; }
-  } const listening(log);
-  return tracer.radiance(ray, random);
-}
-
 /// Paths within a sphere of radius 1. `lights` is a point light of intensity
 /// pi at its center, or nothing: a wall sends back kd/pi * pi / 1^2 = kd of
 /// it. So each vertex adds its throughput times kd to the sum, up to the last
@@ -53,19 +42,20 @@ material = "wall"
   for (std::uint64_t sample = 0; sample < 50; ++sample) {
     PathLog log;
     Random random(1, 0, sample);
-    const Vec3 radiance = listen(tracer, ray, random, log);
+    const PathListener listener(log);
+    const Vec3 radiance = tracer.radiance(ray, random);
     REQUIRE_MESSAGE(!log.vertices.empty(), "log_vertex was never called");
     longest = std::max(longest, log.vertices.size());
 
-    Vec3 sum(0), told(0);
+    Vec3 all_added(0);
     bool told_any = false;
     for (const PathVertex& vertex : log.vertices) {
       told_any = told_any || vertex.sum != Vec3(0);
-      if (vertex.bounce < max_bounces) sum += vertex.throughput * added;
+      if (vertex.bounce < max_bounces) all_added += vertex.throughput * added;
     }
-    const bool usual = max_component(glm::abs(radiance - sum)) <= 1e-5f;
+    const bool usual = max_component(glm::abs(radiance - all_added)) <= 1e-5f;
     if (!lights.empty()) seen.add(radiance.x);
-    sum = Vec3(0);
+    Vec3 sum(0), told(0);
     Vec3 shares(1);  // of throughput in the three channels, red's being 1
     for (std::size_t i = 0; i < log.vertices.size(); ++i) {
       const PathVertex& vertex = log.vertices[i];
