@@ -31,10 +31,7 @@ inline std::string coefficient_of(const Part& test, const Part& right,
   for (const SeenThing& thing : view.things) {
     if (thing.coefficients.empty()) continue;
     if (place.thing && place.thing->name != thing.name) continue;
-    Tiles full;
-    for (const std::size_t i : place.tiles) {
-      if (thing.pixels[i] == view.pixels[i]) full.push_back(i);
-    }
+    const Tiles full = full_tiles(thing, place.tiles, view);
     if (full.size() < 2) continue;
     for (int c = 0; c < 3; ++c) {
       const Factor factor = factor_of(test, right, before, full, c);
@@ -61,12 +58,11 @@ inline std::string as_figure(double x) {
 
 /// "in all channels", "in red and green for sure": the others may be wrong.
 inline std::string channels_in_words(const std::array<bool, 3>& channels) {
-  static const char* names[] = {"red", "green", "blue"};
   std::string text;
   int count = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     if (!channels[c]) continue;
-    text += std::string(count++ ? " and " : "in ") + names[c];
+    text += std::string(count++ ? " and " : "in ") + channel_names[c];
   }
   return count == 3 ? "in all channels" : text + " for sure";
 }
@@ -80,10 +76,7 @@ inline std::string factors_of_things(const PartVerdict& verdict,
   std::vector<std::pair<Factor, std::string>> groups;
   for (const SeenThing& thing : view.things) {
     if (thing.name[0] != '\'') continue;
-    Tiles full;
-    for (const std::size_t i : place.tiles) {
-      if (thing.pixels[i] == view.pixels[i]) full.push_back(i);
-    }
+    const Tiles full = full_tiles(thing, place.tiles, view);
     if (full.size() < 3) continue;
     std::array<Factor, 3> factors;
     for (int c = 0; c < 3; ++c) {
@@ -183,11 +176,10 @@ inline std::string amount_in_words(const PartVerdict& verdict,
       });
   if (each) {
     std::string text;
-    static const char* names[] = {"red", "green", "blue"};
     for (std::size_t c = 0; c < 3; ++c) {
       if (!(factors[c].sigma > 0)) continue;
       text += (text.empty() ? "it is " : ", ") + as_figure(factors[c].ratio) +
-              " times in " + names[c];
+              " times in " + channel_names[c];
     }
     return text + " what it should be";
   }

@@ -50,6 +50,16 @@ inline Tiles tiles_of(const SeenThing& thing, const PartsView& view) {
   return tiles;
 }
 
+/// Those of the tiles that have nothing else in them.
+inline Tiles full_tiles(const SeenThing& thing, const Tiles& tiles,
+                        const PartsView& view) {
+  Tiles full;
+  for (const std::size_t i : tiles) {
+    if (thing.pixels[i] == view.pixels[i]) full.push_back(i);
+  }
+  return full;
+}
+
 /// The things, and what is one of two materials.
 inline std::vector<SeenThing> things_and_pairs(const PartsView& view) {
   std::vector<SeenThing> all = view.things;
@@ -127,12 +137,8 @@ inline Place place_of(const PartVerdict& verdict, const Part& right,
   }
   if (!place.thing) return place;
   place.words = "only where " + place.thing->name + " is seen";
-  Tiles full, half;
-  for (std::size_t i = 0; i < verdict.tiles.size(); ++i) {
-    const int pixels = place.thing->pixels[i];
-    if (pixels == view.pixels[i]) full.push_back(i);
-    if (2 * pixels >= view.pixels[i]) half.push_back(i);
-  }
+  const Tiles half = tiles_of(*place.thing, view);
+  const Tiles full = full_tiles(*place.thing, half, view);
   place.pure = full.size() >= 3;
   place.tiles = place.pure ? full : half;
   return place;

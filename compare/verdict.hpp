@@ -125,10 +125,9 @@ inline std::string describe(const std::vector<RegionDifference>& all,
     text += ", " + std::string(how) + " on " + culprit.name + ", " +
             amount_of(culprit.test, culprit.reference) + " there";
   }
-  static const char* channels[] = {"red", "green", "blue"};
   return text + "; worst at " + place_of(tile->region, width, height) + ": " +
          amount_of(tile->test, tile->reference) + " in " +
-         channels[tile->channel];
+         channel_names[static_cast<std::size_t>(tile->channel)];
 }
 
 /// Four pictures in a row: test, reference, the signed difference (red where

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "common/math/vector.hpp"
 
 namespace lightwalk {
+
+/// What the three numbers of a color are called.
+inline constexpr std::array channel_names = {"red", "green", "blue"};
 
 /// Linear colors, row by row from the top, each row from the left.
 struct Image {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/image/image.hpp"
 #include "common/image/srgb.hpp"
 #include "common/image/texture_file.hpp"
 #include "common/scene/scene.hpp"
@@ -211,16 +212,16 @@ class MaterialReader {
     const Vec3 sum = material.kd + delta;
     const char* formula =
         material.fresnel ? "kd + max(ks, kt)" : "kd + ks + kt";
-    const char* channels[] = {"red", "green", "blue"};
     for (int c = 0; c < 3; ++c) {
       if (sum[c] > 1 + 1e-6f) {
-        fail_at(table.table(), table.name() +
-                                   " reflects more light than it "
-                                   "gets: " +
-                                   formula + " is " + std::to_string(sum[c]) +
-                                   " in the " + channels[c] +
-                                   " channel, and at most 1 is "
-                                   "possible");
+        fail_at(table.table(),
+                table.name() +
+                    " reflects more light than it "
+                    "gets: " +
+                    formula + " is " + std::to_string(sum[c]) + " in the " +
+                    channel_names[static_cast<std::size_t>(c)] +
+                    " channel, and at most 1 is "
+                    "possible");
       }
     }
     if (material.emits() && max_component(sum) > 0) {

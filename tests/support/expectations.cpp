@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "compare/factors.hpp"
+
 namespace lightwalk::tests {
 
 namespace {
@@ -50,7 +52,6 @@ std::string wrong_value(const std::string& what, double actual,
 /// The same for three channels: one factor if it is the same in all.
 std::string wrong_color(const std::string& what, const Vec3& actual,
                         const Vec3& expected, double epsilon) {
-  const char* const channels[] = {"red", "green", "blue"};
   std::string words;
   bool wrong = false, alike = true;
   for (int c = 0; c < 3; ++c) {
@@ -63,7 +64,9 @@ std::string wrong_color(const std::string& what, const Vec3& actual,
     const std::string one = difference_in_words(a, e, 1e-4);
     alike = alike && (!wrong || one == words);
     if (!wrong || !alike) words = one;
-    if (!alike && !one.empty()) words = std::string(channels[c]) + ": " + one;
+    if (!alike && !one.empty())
+      words = std::string(channel_names[static_cast<std::size_t>(c)]) + ": " +
+              one;
     wrong = true;
   }
   return wrong ? seen_and_expected(what, text_of(actual), text_of(expected),
@@ -74,32 +77,28 @@ std::string wrong_color(const std::string& what, const Vec3& actual,
 }  // namespace
 
 std::string factor_in_words(double ratio, double uncertainty) {
-  struct Factor {
-    const char *name, *inverse;
-    double value;
-  };
-  const double pi = std::acos(-1.0);
-  const Factor factors[] = {{"2", "1/2", 2},
-                            {"3", "1/3", 3},
-                            {"4", "1/4", 4},
-                            {"pi", "1/pi", pi},
-                            {"2 pi", "1/(2 pi)", 2 * pi},
-                            {"4 pi", "1/(4 pi)", 4 * pi},
-                            {"pi^2", "1/pi^2", pi * pi},
-                            {"1.5 (eta)", "1/1.5 (1/eta)", 1.5},
-                            {"2.25 (eta^2)", "1/2.25 (1/eta^2)", 2.25},
-                            {"5.0625 (eta^4)", "1/5.0625 (1/eta^4)", 5.0625}};
+  static const std::vector<NamedValue> factors = [] {
+    std::vector<NamedValue> values = usual_factors();
+    for (const NamedValue& one :
+         {NamedValue{3, "3"}, NamedValue{1.0 / 3, "1/3"},
+          NamedValue{1.5, "1.5 (eta)"}, NamedValue{1 / 1.5, "1/1.5 (1/eta)"},
+          NamedValue{2.25, "2.25 (eta^2)"},
+          NamedValue{1 / 2.25, "1/2.25 (1/eta^2)"},
+          NamedValue{5.0625, "5.0625 (eta^4)"},
+          NamedValue{1 / 5.0625, "1/5.0625 (1/eta^4)"}}) {
+      values.push_back(one);
+    }
+    return values;
+  }();
   const double tolerance = std::max(3 * uncertainty, 1e-4);
   std::string name = formatted("%.4g", ratio);
   // Where the noise leaves more than one, none is named.
   int found = 0;
-  for (const Factor& one : factors) {
-    const bool is_it = std::abs(ratio / one.value - 1) < tolerance;
-    const bool is_inverse = std::abs(ratio * one.value - 1) < tolerance;
-    if (uncertainty > 0.02 || (!is_it && !is_inverse)) continue;
-    name = ++found > 1 ? formatted("%.4g", ratio)
-           : is_it     ? one.name
-                       : one.inverse;
+  for (const NamedValue& one : factors) {
+    if (uncertainty > 0.02 || std::abs(ratio / one.value - 1) >= tolerance) {
+      continue;
+    }
+    name = ++found > 1 ? formatted("%.4g", ratio) : one.name;
   }
   return name + " times what it should be";
 }

@@ -96,13 +96,14 @@ inline void check_same_noise(const std::string& what, const Image& test,
           reference, {0, 0, reference.width, reference.height}, channel);
       const double band = whole ? 0.003 * b : 0.02 * b + 1e-4 * image;
       if (std::abs(a - b) <= band + Bands{}.z_critical * sigma) continue;
-      const char* const colors[] = {"red", "green", "blue"};
       FAIL_CHECK(what << (whole ? ", the whole picture"
                                 : ", the tile from column " +
                                       std::to_string(region.left) + ", row " +
                                       std::to_string(region.top) + " on")
-                      << ": mean " << std::string(colors[channel]) << ' ' << a
-                      << " +- " << sigma << ", expected " << b
+                      << ": mean "
+                      << std::string(
+                             channel_names[static_cast<std::size_t>(channel)])
+                      << ' ' << a << " +- " << sigma << ", expected " << b
                       << " as unmoved, " << a / b << " times it");
       return;  // others say the same
     }
