@@ -4,6 +4,7 @@
 
 #include "common/geometry/geometry.hpp"
 #include "common/scene/material.hpp"
+#include "tests/core/twins.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;
@@ -12,17 +13,6 @@ using namespace lightwalk::tests;
 namespace {
 
 const Material material;
-
-/// The same shapes twice: searched one by one, and in a tree.
-struct Twins {
-  Geometry plain, prepared;
-
-  template <class Shape>
-  void add(const Shape& shape) {
-    plain.add(shape);
-    prepared.add(shape);
-  }
-};
 
 /// 10,000 random rays must get the same answers, to the bit. Where two shapes
 /// are hit at the same distance either may be the answer.

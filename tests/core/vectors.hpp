@@ -6,22 +6,14 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "common/geometry/geometry.hpp"
 #include "common/math/random.hpp"
 #include "common/math/vector.hpp"
+#include "tests/core/exact_text.hpp"
 
 namespace lightwalk::tests {
-
-inline std::string text(const Vec3& v) {
-  char line[80];
-  std::snprintf(line, sizeof line, "(%.9g, %.9g, %.9g)",
-                static_cast<double>(v.x), static_cast<double>(v.y),
-                static_cast<double>(v.z));
-  return line;
-}
 
 /// `v == Near{value, tolerance}`: at most so far apart.
 struct Near {

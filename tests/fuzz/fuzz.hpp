@@ -12,12 +12,14 @@
 #include <string>
 #include <string_view>
 
-#include "common/math/vector.hpp"
+#include "tests/core/exact_text.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size);
 
 namespace lightwalk::fuzz {
+
+using tests::text;
 
 /// Where a harness reports, also where libFuzzer throws stderr away.
 inline std::FILE* const report = fdopen(dup(STDERR_FILENO), "w");
@@ -46,12 +48,14 @@ inline bool is_one_line(std::string_view message) {
   return !message.empty();
 }
 
-inline std::string text(const Vec3& v) {
-  char line[80];
-  std::snprintf(line, sizeof line, "(%.9g, %.9g, %.9g)",
-                static_cast<double>(v.x), static_cast<double>(v.y),
-                static_cast<double>(v.z));
-  return line;
+/// Fails where an image that was read is not whole.
+inline void check_pixels(int width, int height, std::size_t count) {
+  expect(width > 0 && height > 0, "an image has pixels");
+  expect(count == static_cast<std::size_t>(width) *
+                      static_cast<std::size_t>(height),
+         "an image has width x height pixels",
+         std::to_string(width) + " x " + std::to_string(height) + " and " +
+             std::to_string(count));
 }
 
 }  // namespace lightwalk::fuzz

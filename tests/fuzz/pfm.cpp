@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "common/image/pfm.hpp"
-#include "tests/fuzz/fuzz.hpp"
+#include "tests/fuzz/decoded.hpp"
 #include "tests/fuzz/limited_memory.hpp"
 
 using namespace lightwalk;
@@ -12,18 +12,10 @@ using namespace lightwalk::fuzz;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const LimitedMemory limited;
-  Image image;
-  try {
-    image = decode_pfm(text_of(data, size));
-  } catch (const ImageError& error) {
-    expect(*error.what() != '\0', "a refusal says why");
-    return 0;
-  }
+  const std::optional<Image> read = decoded(decode_pfm, data, size);
+  if (!read) return 0;
+  const Image& image = *read;
   const std::size_t count = image.pixels.size();
-  expect(image.width > 0 && image.height > 0, "an image has pixels");
-  expect(count == static_cast<std::size_t>(image.width) *
-                      static_cast<std::size_t>(image.height),
-         "an image has width x height pixels");
   expect(count * sizeof(float) < size, "every pixel was in the file");
 
   const Image again = decode_pfm(encode_pfm(image));

@@ -5,23 +5,14 @@
 // is, so of two hits at nearly the same distance either may be found.
 
 #include "common/math/random.hpp"
+#include "tests/core/twins.hpp"
 #include "tests/fuzz/geometry.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::fuzz;
+using lightwalk::tests::Twins;
 
 namespace {
-
-/// The same shapes twice: searched one by one, and in a tree.
-struct Twins {
-  Geometry plain, prepared;
-
-  template <class Shape>
-  void add(const Shape& shape) {
-    plain.add(shape);
-    prepared.add(shape);
-  }
-};
 
 /// Some shapes from the bytes, and copies of each in a row or a cloud, so
 /// that a few bytes make enough shapes for a tree.
