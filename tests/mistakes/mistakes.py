@@ -267,10 +267,37 @@ def noted_noise(report):
     return sorted(float(factor) for factor in factors)
 
 
-def limit_time():
-    """In the child: a signal after so many seconds of processor time."""
-    resource.setrlimit(resource.RLIMIT_CPU, (TIME_LIMIT, TIME_LIMIT + 1))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+def run_program(command, seconds=TIME_LIMIT, environment=None):
+    """What a suite's program says, its exit code, and how it ended.
+
+    That is "" where it came to its end, "crash", or "time limit" after so many
+    seconds of processor time.
+    """
+
+    def limit_time():  # in the child
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+    # The suite loads the library that reads pictures from the build folder.
+    paths = {name: str(BUILD) for name in ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")}
+    try:
+        done = subprocess.run(
+            command,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            preexec_fn=limit_time,
+            timeout=20 * seconds,
+            cwd=Path(command[0]).parent,
+            env=os.environ | paths | (environment or {}),
+        )
+        report, code = done.stdout, done.returncode
+    except subprocess.TimeoutExpired as late:
+        report, code = (late.stdout or b"").decode(errors="replace"), -24
+    end = "" if code in (0, 1) else "crash"
+    if code in (-24, -9, 128 + 24, 128 + 9):  # SIGXCPU
+        end = "time limit"
+    return report, code, end
 
 
 def run_suite(program, named=""):
@@ -280,25 +307,7 @@ def run_suite(program, named=""):
     """
     # What would end or divide a filter of doctest's stands for any character.
     only = ["-tc=" + re.sub(r"[,\\*\"]", "?", named) + "*"] if named else []
-    # The suite loads the library that reads pictures from the build folder.
-    paths = {name: str(BUILD) for name in ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")}
-    try:
-        done = subprocess.run(
-            [program, "-r=xml", *only],
-            capture_output=True,
-            text=True,
-            errors="replace",
-            preexec_fn=limit_time,
-            timeout=20 * TIME_LIMIT,
-            cwd=program.parent,
-            env=os.environ | paths,
-        )
-        report, code = done.stdout, done.returncode
-    except subprocess.TimeoutExpired as late:
-        report, code = (late.stdout or b"").decode(errors="replace"), -24
-    end = "" if code in (0, 1) else "crash"
-    if code in (-24, -9):  # SIGXCPU
-        end = "time limit"
+    report, _, end = run_program([program, "-r=xml", *only])
     return failed_tests(report), end, noted_noise(report)
 
 

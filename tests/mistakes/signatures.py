@@ -14,7 +14,6 @@ import argparse
 import concurrent.futures
 import os
 import re
-import subprocess
 import sys
 
 from compare.stages import BUILD, ROOT, Failure
@@ -46,29 +45,13 @@ def build_suite(mistake, suite, given, folder):
 
 def run_goldens(program, seed, name=None):
     """What the golden test says with this seed; signatures are left beside."""
-    environment = {
-        **os.environ,
-        "LIGHTWALK_GOLDEN_SEED": str(seed),
-        "LD_LIBRARY_PATH": str(BUILD),
-        "DYLD_LIBRARY_PATH": str(BUILD),
-    }
+    environment = {"LIGHTWALK_GOLDEN_SEED": str(seed)}
     if name:
         environment["LIGHTWALK_SIGNATURE"] = name
         for old in program.parent.glob("stage*_*.txt"):
             old.unlink()
-    try:
-        return subprocess.run(
-            [program],
-            env=environment,
-            cwd=program.parent,
-            capture_output=True,
-            text=True,
-            errors="replace",
-            timeout=600,
-            preexec_fn=catalogue.limit_time,
-        ).stdout
-    except subprocess.TimeoutExpired:
-        return ""
+    report, _, _ = catalogue.run_program([program], environment=environment)
+    return report
 
 
 def in_parallel(jobs, function, items):

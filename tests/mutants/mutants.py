@@ -25,7 +25,6 @@ import json
 import math
 import os
 import re
-import resource
 import subprocess
 import sys
 import threading
@@ -182,24 +181,10 @@ class Stage:
 
     def run(self, program, number, options=(), seconds=120):
         """(failed tests, how it ended, the report)."""
-        paths = {name: str(BUILD) for name in ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")}
-        environment = os.environ | paths | {"LIGHTWALK_MUTANT": str(number)}
-        try:
-            done = subprocess.run(
-                [program, "-r=xml", *options],
-                capture_output=True,
-                text=True,
-                errors="replace",
-                preexec_fn=lambda: limit_time(seconds),
-                timeout=30 * seconds,
-                cwd=self.folder,
-                env=environment,
-            )
-            report, code = done.stdout, done.returncode
-        except subprocess.TimeoutExpired as late:
-            report, code = (late.stdout or b"").decode(errors="replace"), -24
-        end = "" if code in (0, 1) else "crash"
-        if code in (-24, -9, 128 + 24, 128 + 9):  # SIGXCPU
+        report, code, end = catalogue.run_program(
+            [program, "-r=xml", *options], seconds, {"LIGHTWALK_MUTANT": str(number)}
+        )
+        if end == "time limit":
             end = "time"
         failed = catalogue.failed_tests(report)
         if code and not failed and not end:
@@ -259,11 +244,6 @@ class Stage:
 def filter_text(name):
     """A test's name as a filter: there, a comma separates names."""
     return re.sub(r"[,\\]", "*", name)
-
-
-def limit_time(seconds):
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
 class Equivalents:
