@@ -51,7 +51,10 @@ using stage2::is_counted;
 // #region reflect
 /// `wo` mirrored at the normal; both point away from the surface. Units stay.
 inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
+  // #region exercise 3.1: mirror direction
+  // #stub return Vec3(0);
   return 2 * dot(wo, normal) * normal - wo;
+  // #endregion
 }
 // #endregion reflect
 
@@ -82,6 +85,8 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 // On the way out of glass $\eta_o/\eta_i$ is 1.5, and beyond 41.8 degrees no
 // $\theta_i$ has so large a sine: no light gets out. All of it is reflected,
 // and this *total internal reflection* is why glass and water glitter.
+//
+// ![](snell)
 
 // #region refract
 /// The direction behind the surface that `wo` is bent to, or nothing where
@@ -104,6 +109,8 @@ inline float relative_eta(const Surface& surface) {
   return outside ? 1 / surface.material.eta : surface.material.eta;
 }
 // #endregion refract
+
+// ![](total-reflection)
 
 // ## What refraction does to radiance
 //
@@ -183,6 +190,8 @@ inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
 // with an area both are there, though the caustic is noisy, since a diffuse
 // bounce has to find the lamp through the glass by chance.
 //
+// ![](glass-and-lights)
+//
 // ## Which way to go on
 //
 // A matt wall has $k_d > 0$, a mirror $k_s > 0$, and plastic $k_d, k_s > 0$:
@@ -201,6 +210,8 @@ inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
 // and most of those rays carry next to nothing. Hence a bound on the bounces,
 // which makes the picture too dark; and it cannot be set high. Both will have
 // to be mended.
+//
+// ![](plastic-lobes)
 
 // #region branch
 /// One branch of the tree, where it begins.
@@ -273,5 +284,7 @@ class PathTracer {
   Sampling sampling_;
 };
 // #endregion path
+
+// ![](glass-bounces)
 
 }  // namespace lightwalk::stage3

@@ -1,13 +1,32 @@
 """The figures of the book and the slides: figures.toml says which there are."""
 
+import re
 import shutil
 import tomllib
 from pathlib import Path
 
-from compare.stages import Failure
+from compare.stages import ROOT, Failure
 from tools.weave import diagrams, diagrams_of_paths  # noqa: F401, they register
 from tools.weave.drawing import draw
 from tools.weave.renders import Render
+
+REFERENCE = re.compile(r"!\[\]\(([\w-]+)\)$")
+PLACE = re.compile(r"^// !\[\]\(([\w-]+)\)$|^\{figure\} (\S+)", re.M)
+
+
+def figure_reference(line, where):
+    """The name of the figure that this line of prose is, if it is one."""
+    found = REFERENCE.match(line)
+    if "![" in line and not found:
+        raise Failure(f"{where}: a figure is a line by itself, '// ![](name)'")
+    return found[1] if found else None
+
+
+def placed_names():
+    """The names of the figures that a header, a page or a slide shows."""
+    patterns = ("stages/*/*.hpp", "common/**/*.hpp", "tools/book/pages/*.md", "slides/*.md")
+    texts = [path.read_text() for pattern in patterns for path in ROOT.glob(pattern)]
+    return {match[1] or match[2] for text in texts for match in PLACE.finditer(text)}
 
 
 class Figures:
@@ -18,10 +37,13 @@ class Figures:
         self.entries = {entry["name"]: entry for entry in entries}
         if len(self.entries) != len(entries):
             raise Failure("figures.toml: a name stands there twice")
+        unused = [name for name in self.entries if name not in placed_names()]
+        if unused:
+            raise Failure(f"figures.toml: no chapter, page or slide shows '{unused[0]}'")
 
-    def entry(self, name):
+    def entry(self, name, where=""):
         if name not in self.entries:
-            raise Failure(f"figure '{name}' is not in figures.toml")
+            raise Failure((f"{where}: " if where else "") + f"figure '{name}' is not in figures.toml")
         return self.entries[name]
 
     def renders(self, entry):
