@@ -99,6 +99,8 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 }
 // #endregion rectangle-light
 
+// ![](lamp-mistakes)
+
 // ## A sphere that shines
 //
 // Points on its area would do here too, but half of them are on the far side

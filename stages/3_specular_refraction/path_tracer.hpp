@@ -126,6 +126,24 @@ inline float relative_eta(const Surface& surface) {
 // the camera or a light is inside the glass, where the world outside looks
 // $1.5^2 = 2.25$ times as bright.
 //
+// The program tells it of a path through the ball, where $k_t = 0.9$. The
+// weight is $0.9 / 2.25$ where it enters, and $0.9 \cdot 2.25$ where it
+// leaves:
+//
+//     $ build/stage3 scenes/cornell_box_point.toml --max-bounces 2
+//     > --pixel 170,200 --sample 3
+//     ...
+//     vertex 0: sphere[1] of 'glass', bounce 0
+//     ...
+//       goes on    (  0.2716,  -0.2781,   0.9214)  refraction
+//       weight     (     0.4,      0.4,      0.4)  to vertex 3
+//     ...
+//       vertex 3: sphere[1] of 'glass', bounce 1
+//     ...
+//         goes on    (  0.4237,  -0.3605,   0.8310)  refraction
+//         weight     (   2.025,    2.025,    2.025)  to vertex 5
+//     ...
+//
 // ## The full BSDF
 //
 // One material may be all three at once (slide "The full BSDF"):

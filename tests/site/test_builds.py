@@ -242,6 +242,123 @@ class Exercises(Copy):
         self.task("Write `reflect`", "Write `mirrorize`", "exercise 3.1", "`mirrorize` is not in the code")
 
 
+class Transcripts(Copy):
+    """Commands in prose, and what the prose says that they print."""
+
+    def said(self, old, new, *parts):
+        self.change(STAGE3, old, new)
+        self.assert_refused("book", f"{STAGE3}:", *parts)
+
+    def test_a_number_that_the_program_does_not_say(self):
+        text = (self.root / STAGE3).read_text()
+        line = text[: text.index("2.025,")].count("\n") + 1
+        self.said(
+            "//         weight     (   2.025,",
+            "//         weight     (   2.026,",
+            f"{STAGE3}:{line} says 'weight ( 2.026, 2.025, 2.025) to vertex 5', the program says "
+            "'weight ( 2.025, 2.025, 2.025) to vertex 5'",
+        )
+
+    def test_fewer_digits_and_what_is_left_out(self):
+        self.change(STAGE3, "(   2.025,    2.025,    2.025)  to vertex 5", "(2.03, 2.0, ...")
+        run = self.run_tool("book.build", "--check")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    def test_a_whole_number_is_not_rounded(self):
+        self.said("(   2.025,    2.025,", "(       2,    2.025,", "says 'weight ( 2, 2.025,")
+
+    def test_a_word_that_the_program_does_not_say(self):
+        self.said(
+            "0.9214)  refraction", "0.9214)  refracted", "0.9214) refracted', the program says 'goes on"
+        )
+
+    def test_lines_that_are_left_out_without_a_word(self):
+        self.said(
+            "//     ...\n//     vertex 0:",
+            "//     vertex 0:",
+            "the program says 'stage3: pixel 170,200, sample 3",
+        )
+
+    def test_an_end_that_is_left_out(self):
+        self.said(
+            "to vertex 5\n//     ...\n", "to vertex 5\n", "ends there, the program says more: 'vertex 4"
+        )
+
+    def test_a_program_that_there_is_not(self):
+        self.said("$ build/stage3", "$ build/stage33", "build/stage33 has not been built")
+
+    def test_a_command_that_is_no_program_of_the_build(self):
+        self.said("$ build/stage3", "$ rm -r", "'rm' is no program of build/")
+
+    def test_a_command_that_fails(self):
+        self.said("> --pixel 170,200", "> --pixel 170,2000", "--pixel 170,2000 --sample 3: ")
+
+
+class Mistaken(Copy):
+    """Figures that show a known mistake."""
+
+    FIGURES = "tools/weave/figures.toml"
+
+    def test_a_mistake_that_nobody_knows(self):
+        self.change(self.FIGURES, '"rectangle-without-area"', '"rectangle-without-edges"')
+        self.assert_refused(
+            "book", "tests/mistakes/stage2.toml: no mistake is called 'rectangle-without-edges'"
+        )
+
+    def test_an_exposure_that_is_shared_and_is_not(self):
+        self.change(self.FIGURES, '"right" }', '"right", options = "--exposure 1" }')
+        self.assert_refused("book", "lamp-mistakes: a panel has --exposure, and the exposure is shared")
+
+    def test_a_tone_map_that_looks_at_its_own_picture(self):
+        self.change(
+            self.FIGURES, "--spp 32 --exposure -1", "--spp 32 --exposure -1 --tone-map equalize,gamma"
+        )
+        self.assert_refused("book", "lamp-mistakes: equalize gives each panel an exposure of its own")
+
+    def test_the_command_of_the_book_renders_the_figure(self):
+        """And the mistake is in the picture: without A it is another one."""
+        self.assertEqual(self.run_tool("book.build", "--check").returncode, 0)
+        page = (self.build / "book-source/stages/2_next_event.md").read_text()
+        self.assertIn("python3 -m tools.weave.mistaken 2/rectangle-without-area scenes/", page)
+        folder = self.build / "book-source/figures"
+        pictures = {path.read_bytes() for path in folder.glob("lamp-mistakes-*.png")}
+        self.assertEqual(len(pictures), 4)
+        scene = "scenes/cornell_box_lamp_diffuse.toml"
+        options = "--size 160x160 --spp 32 --exposure -1 --tone-map clamp,gamma --seed 1".split()
+        run = self.run_tool(
+            "weave.mistaken", "2/rectangle-without-area", scene, "-o", self.root / "a.png", *options
+        )
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual((self.root / "a.png").read_bytes(), (folder / "lamp-mistakes-2.png").read_bytes())
+
+
+class Prose(Copy):
+    """The counts of tools.weave.prose."""
+
+    def report(self, *added):
+        old = "// # Stage 3: perfect mirrors and glass\n//\n"
+        self.change(STAGE3, old, old + "".join(f"// {line}".rstrip() + "\n" for line in [*added, ""]))
+        run = self.run_tool("weave.prose")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        return run.stdout
+
+    def test_a_sentence_of_31_words(self):
+        report = self.report(*["word " * 10] * 3, "end.")
+        self.assertIn(f"{STAGE3}:5: 31 words: word word", report)
+
+    def test_a_sentence_of_30_words_with_a_formula_that_is_one(self):
+        report = self.report(*["word " * 10] * 2, "word " * 9 + "$a + b +", "c + d = e + f$.")
+        self.assertNotIn(f"{STAGE3}:5:", report)
+
+    def test_a_paragraph_of_nine_lines(self):
+        self.assertIn(f"{STAGE3}:5: a paragraph of 9 lines", self.report(*["Short."] * 9))
+
+    def test_a_screen_without_figure(self):
+        report = self.report(*["Short.", ""] * 46)
+        self.assertRegex(report, rf"{STAGE3}:3: \d+ lines of prose without a figure")
+        self.assertNotIn(f"{STAGE3}:5: a paragraph", report)
+
+
 class Slides(Copy):
     def test_the_sources_as_they_are_pass(self):
         run = self.run_tool("slides.build", "--check")

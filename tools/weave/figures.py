@@ -29,6 +29,23 @@ def placed_names():
     return {match[1] or match[2] for text in texts for match in PLACE.finditer(text)}
 
 
+def one_exposure(entry, options):
+    """The options under which a number of radiance looks alike in all panels:
+    no step may depend on the picture's own maximum, as `equalize` does."""
+    where = f"figures.toml: {entry['name']}"
+    if entry["exposure"] != "shared":
+        raise Failure(f'{where}: exposure is "shared" or not there')
+    for panel in entry["panels"]:
+        for option in ("--tone-map", "--exposure", "--gamma"):
+            if option in panel.get("options", ""):
+                raise Failure(f"{where}: a panel has {option}, and the exposure is shared")
+    if "--tone-map" not in options:
+        return [*options, "--tone-map", "clamp,gamma"]
+    if "equalize" in options[options.index("--tone-map") + 1]:
+        raise Failure(f"{where}: equalize gives each panel an exposure of its own")
+    return options
+
+
 class Figures:
     def __init__(self, folder):
         self.folder = folder
@@ -47,12 +64,16 @@ class Figures:
         return self.entries[name]
 
     def renders(self, entry):
+        shared = entry.get("options", "").split()
+        if "exposure" in entry:
+            shared = one_exposure(entry, shared)
         return [
             Render(
                 panel.get("stage", entry.get("stage")),
                 panel.get("scene", entry.get("scene")),
-                (entry.get("options", "") + " " + panel.get("options", "")).split(),
+                shared + panel.get("options", "").split(),
                 [*entry.get("replace", ()), *panel.get("replace", ())],
+                panel.get("mistake"),
             )
             for panel in entry.get("panels", [])
         ]

@@ -10,9 +10,11 @@ An indented block of prose that begins with `$ build/...` is a transcript:
 A line `...` stands for any lines, and `...` at the end of a line for its rest.
 Spaces and empty lines do not count. A number with a point or an exponent agrees
 if what the program says is the same when rounded to the digits shown; a whole
-number has to be the same. A command that is too long goes on after a `\\`.
+number has to be the same. A command goes on in a line that begins with `> `,
+as shells have it; comments of C++ must not end with a `\\`, so the book adds it.
 """
 
+import difflib
 import re
 import shlex
 import subprocess
@@ -38,20 +40,24 @@ class Transcript:
 
     def shown(self):
         """As MyST has it."""
-        return ["```console", *(line[len(INDENT) :] for line in self.lines), "```", ""]
+        lines = [line[len(INDENT) :] for line in self.lines]
+        for place, line in enumerate(lines):
+            if line.startswith("> "):
+                lines[place - 1] += " \\"
+        return ["```console", *lines, "```", ""]
 
     def steps(self):
-        """Each command with the (number, line) that it should print."""
-        found, goes_on = [], False
+        """Each command with its number and the (number, line) that it should
+        print."""
+        found = []
         for number, line in enumerate(self.lines, self.line):
-            line = line.strip()
-            if line.startswith("$ ") or goes_on:
-                if not goes_on:
-                    found.append(["", number, []])
-                goes_on = line.endswith("\\")
-                found[-1][0] += line.removeprefix("$ ").removesuffix("\\") + " "
+            line = line[len(INDENT) :].rstrip()
+            if line.startswith("$ "):
+                found.append([line[2:], number, []])
+            elif line.startswith("> ") and not found[-1][2]:
+                found[-1][0] += line[1:]
             elif line:
-                found[-1][2].append((number, line))
+                found[-1][2].append((number, line.strip()))
         return found
 
 
@@ -105,7 +111,7 @@ def same_number(shown, said):
 
 
 def same_line(shown, said):
-    """Whether the line agrees, and whether its words do."""
+    """Whether the line that was said is the one that is shown."""
     shown, said = " ".join(shown.split()), " ".join(said.split())
     words, numbers = NUMBER.split(shown), NUMBER.findall(shown)
     whole = not shown.endswith("...")
@@ -117,7 +123,7 @@ def same_line(shown, said):
         told, values = told[: len(words)], values[: len(numbers)]
         alike = len(told) == len(words) and squeezed(words[:-1]) == squeezed(told[:-1])
         alike = alike and squeezed(told)[-1].startswith(squeezed(words)[-1])
-    return alike and all(map(same_number, numbers, values)), alike
+    return alike and all(map(same_number, numbers, values))
 
 
 def squeezed(words):
@@ -128,13 +134,13 @@ def squeezed(words):
 def find(part, said, first, anywhere):
     """Where the lines of `part` stand in what was said, from `first` on; and
     if nowhere, the line that fails where most of them agree."""
-    best = (-1, None, None)
+    best = ((-1,),)
     for start in range(first, len(said) + 1) if anywhere else [first]:
         for place, (number, line) in enumerate(part):
             there = said[start + place] if start + place < len(said) else "nothing more"
-            same, alike = same_line(line, there)
-            if not same:
-                best = max(best, (2 * place + alike, number, there, line), key=lambda x: x[0])
+            if not same_line(line, there):
+                likeness = difflib.SequenceMatcher(None, line, there.strip()).ratio()
+                best = max(best, ((place, likeness), number, there, line), key=lambda x: x[0])
                 break
         else:
             return start + len(part), None
