@@ -27,6 +27,8 @@ using stage2::is_counted;
 // $$f_r(x, \omega_i, \omega_o) =
 // \frac{\delta_{\omega_r}(\omega_i)}{\omega_i \cdot n}$$
 //
+// ![](mirror-cone)
+//
 // The division takes back the cosine of the rendering equation: the mirror
 // shows things as bright as they are, at the rim as in the middle. Multiply
 // by a cosine all the same, and mirror balls get dark rims.

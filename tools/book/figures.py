@@ -15,6 +15,18 @@ def pages_depth(path):
     return {"stages": 1, "common": len(parts) - 1}.get(parts[0], 0)
 
 
+def picture(file, shows):
+    """A picture; a drawing is there twice, for light pages and dark ones."""
+    if not file.endswith(".svg"):
+        return [f"![{shows}]({file})"]
+    versions = (("only-light", file), ("only-dark", file.replace(".svg", "-dark.svg")))
+    return [
+        line
+        for kind, name in versions
+        for line in (f":::{{image}} {name}", f":alt: {shows}", f":class: {kind}", ":::", "")
+    ]
+
+
 class PlacedFigures(Figures):
     def __init__(self, folder):
         super().__init__(folder)
@@ -33,13 +45,8 @@ class PlacedFigures(Figures):
         lines = [f"({name})=", "", f":::::{{container}} figure panels-{len(files)}"]
         for file, panel in zip(files, panels):
             label = panel.get("label", "")
-            lines += [
-                "::::{container} panel",
-                f"![{entry['shows']} {label}]({up}figures/{file})",
-                "",
-                label,
-                "::::",
-            ]
+            shows = f"{entry['shows']} {label}".strip()
+            lines += ["::::{container} panel", *picture(f"{up}figures/{file}", shows), "", label, "::::"]
         lines += ["::::{container} caption", entry["caption"].strip(), ""]
         if facts:
             lines += [f"Made with {facts}.", ""]

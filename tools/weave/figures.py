@@ -82,8 +82,9 @@ class Figures:
         """Makes the figure's pictures in `folder`, and returns their names."""
         entry = self.entry(name)
         if "panels" not in entry:
-            drawing = draw(name)
-            (self.folder / f"{name}.svg").write_text(drawing)
+            light, dark = draw(name)
+            (self.folder / f"{name}.svg").write_text(light)
+            (self.folder / f"{name}-dark.svg").write_text(dark)
             return [f"{name}.svg"]
         made = []
         for number, render in enumerate(self.renders(entry), 1):
