@@ -19,6 +19,8 @@
 //
 // In the code `wo` and `wi` are $\omega_o$ and $\omega_i$. Both point *away*
 // from the surface, whichever way the light goes.
+//
+// ![](hemisphere)
 
 #include "common/math/basis.hpp"
 #include "common/math/random.hpp"
@@ -109,6 +111,8 @@ inline float uniform_hemisphere_pdf() {
 // $\int_0^\theta 2 \sin t \cos t\,dt = \sin^2\theta = \xi$, and the slide's
 // form of its inverse is $\theta = \arccos\sqrt{1 - \xi}$: so $\sin\theta =
 // \sqrt{\xi}$ and $\cos\theta = \sqrt{1 - \xi}$.
+//
+// ![](two-densities)
 
 // #region cosine-sampling
 /// A unit vector about `normal`, with density cos(theta)/pi per solid angle.
@@ -176,6 +180,8 @@ inline BsdfSample sample(const Surface& surface, Sampling sampling,
   return {sample_cosine_hemisphere(surface.normal, u), kd};
 }
 // #endregion weight
+
+// ![](uniform-cosine)
 
 // ## Light that a surface emits
 //
@@ -252,5 +258,9 @@ class PathTracer {
   Sampling sampling_;
 };
 // #endregion path
+
+// ![](samples)
+
+// ![](diffuse-bounces)
 
 }  // namespace lightwalk::stage1

@@ -11,6 +11,8 @@
 // The integral over directions is split in two, light that comes straight
 // from a lamp and light that does not, and each part gets the estimator that
 // suits it. Every lamp must then be counted by one of the two, not by both.
+//
+// ![](next-event)
 
 #include "stages/1_diffuse/path_tracer.hpp"
 
@@ -77,6 +79,8 @@ inline LightSample sample_light(const PointLight& light, const Vec3& x,
 //
 // Forget $A$ and the scene's brightness depends on the units it was drawn in.
 // Behind the rectangle $\cos\theta'$ is negative, and no light comes.
+//
+// ![](area-to-angle)
 
 // #region rectangle-light
 inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
@@ -94,6 +98,8 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
           distance * (1 + distance_rounding)};
 }
 // #endregion rectangle-light
+
+// ![](lamp-mistakes)
 
 // ## A sphere that shines
 //
@@ -254,5 +260,9 @@ class PathTracer {
   Sampling sampling_;
 };
 // #endregion path
+
+// ![](stage-1-or-2)
+
+// ![](direct-and-all)
 
 }  // namespace lightwalk::stage2

@@ -27,6 +27,8 @@ using stage2::is_counted;
 // $$f_r(x, \omega_i, \omega_o) =
 // \frac{\delta_{\omega_r}(\omega_i)}{\omega_i \cdot n}$$
 //
+// ![](mirror-cone)
+//
 // The division takes back the cosine of the rendering equation: the mirror
 // shows things as bright as they are, at the rim as in the middle. Multiply
 // by a cosine all the same, and mirror balls get dark rims.
@@ -51,7 +53,10 @@ using stage2::is_counted;
 // #region reflect
 /// `wo` mirrored at the normal; both point away from the surface. Units stay.
 inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
+  // #region exercise 3.1: mirror direction
+  // #stub return Vec3(0);
   return 2 * dot(wo, normal) * normal - wo;
+  // #endregion
 }
 // #endregion reflect
 
@@ -82,6 +87,8 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 // On the way out of glass $\eta_o/\eta_i$ is 1.5, and beyond 41.8 degrees no
 // $\theta_i$ has so large a sine: no light gets out. All of it is reflected,
 // and this *total internal reflection* is why glass and water glitter.
+//
+// ![](snell)
 
 // #region refract
 /// The direction behind the surface that `wo` is bent to, or nothing where
@@ -105,6 +112,8 @@ inline float relative_eta(const Surface& surface) {
 }
 // #endregion refract
 
+// ![](total-reflection)
+
 // ## What refraction does to radiance
 //
 // Light that enters glass is squeezed into a narrower cone: all of the
@@ -118,6 +127,24 @@ inline float relative_eta(const Surface& surface) {
 // where it enters a closed ball, it gains back where it leaves. It shows when
 // the camera or a light is inside the glass, where the world outside looks
 // $1.5^2 = 2.25$ times as bright.
+//
+// The program tells it of a path through the ball, where $k_t = 0.9$. The
+// weight is $0.9 / 2.25$ where it enters, and $0.9 \cdot 2.25$ where it
+// leaves:
+//
+//     $ build/stage3 scenes/cornell_box_point.toml --max-bounces 2
+//     > --pixel 170,200 --sample 3
+//     ...
+//     vertex 0: sphere[1] of 'glass', bounce 0
+//     ...
+//       goes on    (  0.2716,  -0.2781,   0.9214)  refraction
+//       weight     (     0.4,      0.4,      0.4)  to vertex 3
+//     ...
+//       vertex 3: sphere[1] of 'glass', bounce 1
+//     ...
+//         goes on    (  0.4237,  -0.3605,   0.8310)  refraction
+//         weight     (   2.025,    2.025,    2.025)  to vertex 5
+//     ...
 //
 // ## The full BSDF
 //
@@ -183,6 +210,8 @@ inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
 // with an area both are there, though the caustic is noisy, since a diffuse
 // bounce has to find the lamp through the glass by chance.
 //
+// ![](glass-and-lights)
+//
 // ## Which way to go on
 //
 // A matt wall has $k_d > 0$, a mirror $k_s > 0$, and plastic $k_d, k_s > 0$:
@@ -201,6 +230,8 @@ inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
 // and most of those rays carry next to nothing. Hence a bound on the bounces,
 // which makes the picture too dark; and it cannot be set high. Both will have
 // to be mended.
+//
+// ![](plastic-lobes)
 
 // #region branch
 /// One branch of the tree, where it begins.
@@ -273,5 +304,7 @@ class PathTracer {
   Sampling sampling_;
 };
 // #endregion path
+
+// ![](glass-bounces)
 
 }  // namespace lightwalk::stage3

@@ -59,6 +59,8 @@ using stage3::sample;
 // the last event begins, and that event would never come. So where the sum
 // exceeds 1 all three are scaled down together.
 //
+// ![](event-bar)
+//
 // ## Paths that never end
 //
 // With absorption no bound on the bounces is needed, say the slides. Almost:
@@ -146,6 +148,8 @@ inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
 // | 12 | 12,200 | 9.3 |
 // | none | - | 10 |
 //
+// ![](ray-counts)
+//
 // ## The path
 //
 // The tree is gone, and the loop is stage 2's again, one ray after the
@@ -207,5 +211,9 @@ class PathTracer {
   Sampling sampling_;
 };
 // #endregion path
+
+// ![](bound-or-none)
+
+// ![](branch-or-draw)
 
 }  // namespace lightwalk::stage4

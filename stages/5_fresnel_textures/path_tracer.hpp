@@ -46,6 +46,8 @@ using stage4::LobeChoice;
 // $r_p$ is 0: what is reflected from a lake there is all s, and sunglasses
 // that block s block the glare. At grazing angles $F$ is 1. From inside it is
 // 1 already beyond the 41.8 degrees of total internal reflection.
+//
+// ![](fresnel-curves)
 
 // #region fresnel
 /// The share of unpolarised light that is reflected, 0 to 1. `cos_o` >= 0 is
@@ -61,6 +63,8 @@ inline float fresnel_reflectance(float cos_o, float eta_ratio) {
   return (r_s * r_s + r_p * r_p) / 2;
 }
 // #endregion fresnel
+
+// ![](fresnel-or-fixed)
 
 // ## Where on the surface
 //
@@ -149,6 +153,8 @@ inline Vec3 image_color(const Texture& texture, const Vec2& uv,
 }
 // #endregion image
 
+// ![](globe)
+
 // ## Patterns without a picture
 //
 // A checkerboard needs no file: count the squares, and odd ones have the
@@ -205,6 +211,8 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
   }
 }
 // #endregion patterns
+
+// ![](floor)
 
 // ## The material, here and from there
 //

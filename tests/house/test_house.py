@@ -55,7 +55,7 @@ def ranks():
     core = re.findall(r"^## (\w+)", (ROOT / "common/README.md").read_text(), re.MULTILINE)
     order = [f"common/{name}" for name in core] + ["compare", "stages"]
     order += sorted({room(path) for path in stages.stage_headers()})
-    return {name: rank for rank, name in enumerate(order)} | {"tests": len(order), "tools": len(order)}
+    return {name: rank for rank, name in enumerate([*order, "tests", "tools"])}
 
 
 class House(unittest.TestCase):

@@ -1,7 +1,8 @@
 // The book, as its readers meet it.
 const assert = require("node:assert/strict");
+const fs = require("node:fs");
 const { after, before, test } = require("node:test");
-const { files, launch, url, watched } = require("./browser.cjs");
+const { build, files, launch, url, watched } = require("./browser.cjs");
 
 const phone = { width: 390, height: 844 };
 const paper = { width: 657, height: 979 }; // A4 within its margins
@@ -91,6 +92,84 @@ test("dark mode is dark, and letters stand out in both", async () => {
     assert.ok(Math.abs(ground - ink) > 0.5, `${scheme}: ${ground}, ${ink}`);
     await page.close();
   }
+});
+
+const themes = ["light", "dark"];
+
+test("a drawing is there for each theme, and only one of the two is seen", async () => {
+  for (const scheme of themes) {
+    const page = await watched(browser, { colorScheme: scheme });
+    await page.goto(url("book/stages/3_specular_refraction.html"));
+    const seen = await page.evaluate(() =>
+      [...document.images].filter((i) => i.src.endsWith(".svg") && i.checkVisibility())
+        .map((i) => i.src.endsWith("-dark.svg")));
+    assert.ok(seen.length > 0, "chapter 3 has no drawing");
+    assert.ok(seen.every((dark) => dark === (scheme === "dark")), `${scheme}: ${seen}`);
+    await page.close();
+  }
+});
+
+test("labels of drawings are as large as the text, inside, and apart", async () => {
+  const page = await watched(browser);
+  const drawings = files("book", ".svg").filter((name) =>
+    /_images/.test(name) && fs.existsSync(`${build}/${name.replace(/(-dark)?\.svg$/, "-dark.svg")}`));
+  assert.ok(drawings.length > 0, "the book has no drawing");
+  for (const name of drawings) {
+    await page.goto(url(name));
+    const wrong = await page.evaluate(() => {
+      const { width, height } = document.documentElement.viewBox.baseVal;
+      const labels = [...document.querySelectorAll("text")].map((e) => ({
+        text: e.textContent, size: parseFloat(getComputedStyle(e).fontSize),
+        box: e.getBBox(),
+      }));
+      const overlap = (a, b) =>
+        Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x) > 1 &&
+        Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y) > 5;
+      return labels.flatMap(({ text, size, box }, i) => [
+        ...(box.x < 0 || box.y < 0 || box.x + box.width > width ||
+          box.y + box.height > height ? [`outside: ${text}`] : []),
+        // A drawing fills 541 pixels, and the text has 16.
+        ...(size * 541 / width < 15.99 ? [`small: ${text}`] : []),
+        ...labels.slice(0, i).filter((other) => overlap(box, other.box))
+          .map((other) => `on each other: ${text}, ${other.text}`),
+      ]);
+    });
+    assert.deepEqual(wrong, [], name);
+  }
+  await page.close();
+});
+
+test("at 1280 pixels no listing of a chapter is cut off", () =>
+  onEveryPage({ viewport: { width: 1280, height: 900 } }, async (page, name) => {
+    if (!name.startsWith("book/stages/")) return;
+    const cut = await page.evaluate(() =>
+      [...document.querySelectorAll(".code pre")]
+        .filter((e) => e.checkVisibility() && !e.closest("details") &&
+          e.scrollWidth > e.clientWidth + 1)
+        .map((e) => e.textContent.trim().slice(0, 60)));
+    assert.deepEqual(cut, [], name);
+  }));
+
+test("an exercise's badge leads to its task, whose hints are folded", async () => {
+  const page = await watched(browser, { viewport: { width: 1280, height: 900 } });
+  await page.goto(url("book/stages/3_specular_refraction.html"));
+  const hint = page.locator("#exercise-3-1 details").first();
+  assert.equal(await hint.getAttribute("open"), null);
+  await page.locator(".exercise-body a").first().click();
+  await page.waitForURL(/#exercise-3-1$/);
+  await hint.locator("summary").click();
+  assert.equal(await hint.locator("p").first().isVisible(), true);
+  const text = await page.locator("article").innerText();
+  assert.doesNotMatch(text, /#region|#endregion|#stub/);
+  const folded = page.locator(".question details");
+  assert.equal(await folded.count(), 3);
+  assert.equal(await page.locator(".question details[open]").count(), 0);
+  await page.emulateMedia({ media: "print" });
+  assert.equal(await page.locator("#exercise-3-1").isVisible(), true);
+  for (const one of await page.locator("details").all()) {
+    assert.equal(await one.isVisible(), false);
+  }
+  await page.close();
 });
 
 test("the button changes the mode", async () => {

@@ -8,12 +8,15 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 from compare.stages import BUILD, ROOT, built_stages
 
 SOURCES = ["common", "compare", "scenes", "slides", "stages", "tests/mistakes", "tools"]
+SOURCES += [f"tests/{name.replace('_tests', '')}" for name in built_stages()]
 STAGE1 = "stages/1_diffuse/path_tracer.hpp"
 STAGE3 = "stages/3_specular_refraction/path_tracer.hpp"
+TASKS3 = "stages/3_specular_refraction/exercises.toml"
 
 
 class Copy(unittest.TestCase):
@@ -66,10 +69,22 @@ class Book(Copy):
         self.change("tools/book/pages/index.md", "{figure} five-stages", "{figure} six-stages")
         self.assert_refused("book", "figure 'six-stages' is not in figures")
 
-    def test_a_figure_after_a_region_that_there_is_not(self):
-        self.change(STAGE1, "// #region weight", "// #region weights")
-        self.change(STAGE1, "// #endregion weight", "// #endregion weights")
-        self.assert_refused("book", "no region nor section 'weight'")
+    def test_a_figure_of_a_chapter_that_nobody_makes(self):
+        self.change(STAGE1, "![](hemisphere)", "![](hemispheres)")
+        self.assert_refused("book", f"{STAGE1}:", "figure 'hemispheres' is not in figures.toml")
+
+    def test_a_figure_that_nobody_shows(self):
+        self.change("stages/4_russian_roulette/path_tracer.hpp", "// ![](event-bar)\n", "")
+        for tool in ("book", "slides"):
+            self.assert_refused(tool, "figures.toml: no chapter, page or slide shows 'event-bar'")
+
+    def test_a_figure_that_stands_there_twice(self):
+        self.change(STAGE1, "// ![](samples)\n", "// ![](samples)\n//\n// ![](hemisphere)\n")
+        self.assert_refused("book", f"{STAGE1}:", "'hemisphere' stands at", "already")
+
+    def test_a_figure_within_a_line_of_prose(self):
+        self.change(STAGE1, "// ![](samples)\n", "// See ![](samples)\n")
+        self.assert_refused("book", f"{STAGE1}:", "a figure is a line by itself")
 
     def test_a_region_that_is_not_ended(self):
         self.change(STAGE1, "// #endregion path\n", "")
@@ -98,6 +113,317 @@ class Book(Copy):
             "([the basis](core/math/bases.md))",
         )
         self.assert_refused("book", "further_reading.md", "core/math/bases.md", arguments=())
+
+
+MARK = """  // #region exercise 3.1: mirror direction
+  // #stub return Vec3(0);
+  return 2 * dot(wo, normal) * normal - wo;
+  // #endregion
+"""
+
+
+class Exercises(Copy):
+    """Marks in a header, and exercises.toml beside it."""
+
+    def mark(self, old, new):
+        self.change(STAGE3, MARK, MARK.replace(old, new))
+
+    def task(self, old, new, *parts):
+        self.change(TASKS3, old, new)
+        self.assert_refused("book", TASKS3, *parts)
+
+    def test_they_are_listed(self):
+        run = self.run_tool("weave.exercises")
+        self.assertIn("3.1  mirror direction  " + STAGE3 + ":", run.stdout)
+
+    def test_readers_see_no_mark_but_a_badge(self):
+        self.assertEqual(self.run_tool("book.build", "--check").returncode, 0)
+        self.assertEqual(self.run_tool("slides.build", "--check").returncode, 0)
+        page = (self.build / "book-source/stages/3_specular_refraction.md").read_text()
+        slide = (self.build / "slides-source/3_specular_refraction.md").read_text()
+        for text in (page, slide):
+            self.assertNotRegex(text, r"#region|#stub|#endregion|return Vec3\(0\);")
+        # The number of the line is the header's, marks included.
+        header = (self.root / STAGE3).read_text()
+        line = header[: header.index("return 2 * dot(wo")].count("\n") + 1
+        self.assertIn(f":lineno-start: {line}\n  return 2 * dot(wo", page)
+        self.assertIn("[exercise 3.1](#exercise-3-1)", page)
+        self.assertIn("3_specular_refraction.html#exercise-3-1", slide)
+        self.assertIn('<span class="exercise">', slide)
+        task, code = page.index(":name: exercise-3-1"), page.index("inline Vec3 reflect")
+        self.assertLess(task, code)
+
+    def test_a_mark_changes_nothing_beside_the_next_stage(self):
+        """A region that a later stage repeats without marks is as it was."""
+        name = "stages/4_russian_roulette/path_tracer.hpp"
+        region = "// #region reflect\nint x = 1;\n// #endregion reflect\n"
+        self.change(name, "// #region lobe-probabilities\n", region + "\n// #region lobe-probabilities\n")
+        header = self.root / STAGE3
+        text = header.read_text()
+        head, tail = text.split("// #region reflect\n")
+        body = "// #region exercise 3.1: mirror direction\n// #stub int x = 0;\nint x = 1;\n// #endregion\n"
+        header.write_text(head + "// #region reflect\n" + body + tail[tail.index("// #endregion reflect") :])
+        self.run_tool("book.build", "--check")
+        page = (self.build / "book-source/stages/4_russian_roulette.md").read_text()
+        self.assertIn("**reflect** {bdg-secondary}`as in stage 3`", page)
+
+    def test_a_number_that_leaves_a_gap(self):
+        self.mark("exercise 3.1", "exercise 3.2")
+        self.assert_refused("book", f"{STAGE3}:", "exercise 3.2, but 3.1 comes next")
+
+    def test_a_number_that_is_there_twice(self):
+        self.change(STAGE3, MARK, MARK + MARK)
+        self.assert_refused("book", f"{STAGE3}:", "exercise 3.1 again, after line")
+
+    def test_a_number_of_another_stage(self):
+        self.mark("exercise 3.1", "exercise 2.1")
+        self.assert_refused("book", f"{STAGE3}:", "2.1 does not belong to this header")
+
+    def test_a_mark_without_title(self):
+        self.mark(": mirror direction", "")
+        self.assert_refused("book", f"{STAGE3}:", "a mark is '// #region exercise 3.1: title'")
+
+    def test_a_mark_that_is_not_ended(self):
+        self.mark("  // #endregion\n", "")
+        self.assert_refused("book", f"{STAGE3}:", "exercise 3.1 is not ended")
+
+    def test_a_mark_within_another(self):
+        self.mark("  return 2", "  // #region exercise 3.2: half of it\n  return 2")
+        self.assert_refused("book", f"{STAGE3}:", "within exercise 3.1")
+
+    def test_a_mark_outside_of_a_region(self):
+        self.change(STAGE3, MARK, "")
+        self.change(STAGE3, "// #region reflect\n", MARK + "// #region reflect\n")
+        self.assert_refused("book", f"{STAGE3}:", "exercise 3.1 stands in no region")
+
+    def test_a_stub_that_is_missing(self):
+        self.mark("  // #stub return Vec3(0);\n", "")
+        self.assert_refused("book", f"{STAGE3}:", "exercise 3.1 has no '// #stub'")
+
+    def test_a_stub_after_the_body(self):
+        self.mark("  // #endregion", "  // #stub return wo;\n  // #endregion")
+        self.assert_refused("book", f"{STAGE3}:", "follows the mark of an exercise")
+
+    def test_a_body_that_is_too_long(self):
+        self.mark("  return 2", "  // Long.\n" * 20 + "  return 2")
+        self.assert_refused("book", f"{STAGE3}:", "has 21 lines, and at most 20")
+
+    def test_a_task_without_mark(self):
+        self.task('number = "3.1"', 'number = "3.4"', "exercise 3.4 has no mark in path_tracer.hpp")
+
+    def test_a_mark_without_task(self):
+        self.change(STAGE3, "// #endregion reflect", MARK.replace("3.1", "3.2") + "// #endregion reflect")
+        self.assert_refused("book", f"{STAGE3}:", "exercise 3.2 has no task in", TASKS3)
+
+    def test_a_chapter_without_tasks(self):
+        (self.root / TASKS3).unlink()
+        self.assert_refused("book", f"{STAGE3}:", "exercise 3.1 has no task", f"there is no {TASKS3}")
+
+    def test_a_test_that_there_is_not(self):
+        self.task(
+            '"mirrored twice', '"mirrored thrice', "3.1", 'no test case of its stage begins "mirrored thrice'
+        )
+
+    def test_a_need_that_comes_later(self):
+        self.task("needs = []", 'needs = ["4.1"]', "needs 4.1, which is no exercise before it")
+
+    def test_a_key_that_is_missing(self):
+        self.task("minutes = 10\n", "", "exercise 3.1: minutes is missing")
+
+    def test_a_single_hint(self):
+        self.task('  "The part along the normal stays', "#", "3.1", "has 1 hints, not 2")
+
+    def test_a_recap_of_four_lines(self):
+        self.task('  "Snell', "#", "recap has 4 lines, not 5")
+
+    def test_a_formula_in_a_task_that_is_broken(self):
+        self.task("\\\\omega_r = 2n", "\\\\omegar = 2n", "exercise 3.1", "omegar")
+
+    def test_a_name_in_a_task_that_is_not_in_the_code(self):
+        self.task("Write `reflect`", "Write `mirrorize`", "exercise 3.1", "`mirrorize` is not in the code")
+
+
+class Transcripts(Copy):
+    """Commands in prose, and what the prose says that they print."""
+
+    def said(self, old, new, *parts):
+        self.change(STAGE3, old, new)
+        self.assert_refused("book", f"{STAGE3}:", *parts)
+
+    def test_a_number_that_the_program_does_not_say(self):
+        text = (self.root / STAGE3).read_text()
+        line = text[: text.index("2.025,")].count("\n") + 1
+        self.said(
+            "//         weight     (   2.025,",
+            "//         weight     (   2.026,",
+            f"{STAGE3}:{line} says 'weight ( 2.026, 2.025, 2.025) to vertex 5', the program says "
+            "'weight ( 2.025, 2.025, 2.025) to vertex 5'",
+        )
+
+    def test_fewer_digits_and_what_is_left_out(self):
+        self.change(STAGE3, "(   2.025,    2.025,    2.025)  to vertex 5", "(2.03, 2.0, ...")
+        run = self.run_tool("book.build", "--check")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    def test_a_whole_number_is_not_rounded(self):
+        self.said("(   2.025,    2.025,", "(       2,    2.025,", "says 'weight ( 2, 2.025,")
+
+    def test_a_word_that_the_program_does_not_say(self):
+        self.said(
+            "0.9214)  refraction", "0.9214)  refracted", "0.9214) refracted', the program says 'goes on"
+        )
+
+    def test_lines_that_are_left_out_without_a_word(self):
+        self.said(
+            "//     ...\n//     vertex 0:",
+            "//     vertex 0:",
+            "the program says 'stage3: pixel 170,200, sample 3",
+        )
+
+    def test_an_end_that_is_left_out(self):
+        self.said(
+            "to vertex 5\n//     ...\n", "to vertex 5\n", "ends there, the program says more: 'vertex 4"
+        )
+
+    def test_a_program_that_there_is_not(self):
+        self.said("$ build/stage3", "$ build/stage33", "build/stage33 has not been built")
+
+    def test_a_command_that_is_no_program_of_the_build(self):
+        self.said("$ build/stage3", "$ rm -r", "'rm' is no program of build/")
+
+    def test_a_command_that_fails(self):
+        self.said("> --pixel 170,200", "> --pixel 170,2000", "--pixel 170,2000 --sample 3: ")
+
+
+class Mistaken(Copy):
+    """Figures that show a known mistake."""
+
+    FIGURES = "tools/weave/figures.toml"
+
+    def test_a_mistake_that_nobody_knows(self):
+        self.change(self.FIGURES, '"rectangle-without-area"', '"rectangle-without-edges"')
+        self.assert_refused(
+            "book", "tests/mistakes/stage2.toml: no mistake is called 'rectangle-without-edges'"
+        )
+
+    def test_an_exposure_that_is_shared_and_is_not(self):
+        self.change(self.FIGURES, '"right" }', '"right", options = "--exposure 1" }')
+        self.assert_refused("book", "lamp-mistakes: a panel has --exposure, and the exposure is shared")
+
+    def test_a_tone_map_that_looks_at_its_own_picture(self):
+        self.change(
+            self.FIGURES, "--spp 32 --exposure -1", "--spp 32 --exposure -1 --tone-map equalize,gamma"
+        )
+        self.assert_refused("book", "lamp-mistakes: equalize gives each panel an exposure of its own")
+
+    def test_the_command_of_the_book_renders_the_figure(self):
+        """And the mistake is in the picture: without A it is another one."""
+        self.assertEqual(self.run_tool("book.build", "--check").returncode, 0)
+        page = (self.build / "book-source/stages/2_next_event.md").read_text()
+        self.assertIn("python3 -m tools.weave.mistaken 2/rectangle-without-area scenes/", page)
+        folder = self.build / "book-source/figures"
+        pictures = {path.read_bytes() for path in folder.glob("lamp-mistakes-*.png")}
+        self.assertEqual(len(pictures), 4)
+        scene = "scenes/cornell_box_lamp_diffuse.toml"
+        options = "--size 160x160 --spp 32 --exposure -1 --tone-map clamp,gamma --seed 1".split()
+        run = self.run_tool(
+            "weave.mistaken", "2/rectangle-without-area", scene, "-o", self.root / "a.png", *options
+        )
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual((self.root / "a.png").read_bytes(), (folder / "lamp-mistakes-2.png").read_bytes())
+
+
+class Drawings(Copy):
+    """What is drawn, for light pages and dark ones."""
+
+    def draw(self, body):
+        """Adds a drawing of these lines to the copy, and draws it."""
+        program = (
+            "from tools.weave import drawing as d\nimport sys\n"
+            "from compare.stages import Failure\n"
+            f"@d.diagram('new', 541, 300)\ndef new():\n    {body}\n"
+            "try:\n    print(*d.draw('new'), sep='\\0')\n"
+            "except Failure as error:\n    sys.exit(f'drawing: {error}')\n"
+        )
+        return subprocess.run([sys.executable, "-c", program], cwd=self.root, capture_output=True, text=True)
+
+    def assert_drawn(self, body):
+        run = self.draw(body)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        light, dark = map(ElementTree.fromstring, run.stdout.split("\0"))
+        self.assertEqual(len(list(light.iter())), len(list(dark.iter())))
+        return light
+
+    def texts(self, drawing):
+        return [
+            "".join(e.itertext()).replace("\u200b", "") for e in drawing.iter() if e.tag.endswith("}text")
+        ]
+
+    def test_an_arrow_an_angle_and_a_surface(self):
+        drawn = self.assert_drawn(
+            "yield from d.hatched(100, 200, 300, 200)\n"
+            "    yield from d.arrow(200, 200, 200, 100, 'w_o', d.COOL)\n"
+            "    yield from d.angle(200, 200, 0, 40, 50, 'θ')\n"
+            "    yield d.dashed(0, 0, 9, 9)"
+        )
+        self.assertEqual(self.texts(drawn), ["ωo", "θ"])
+        # Twenty strokes below a floor that is drawn from left to right.
+        strokes = [
+            e.get("d") for e in drawn.iter() if e.get("stroke") == "#888" and not e.get("stroke-dasharray")
+        ]
+        self.assertEqual(len(strokes), 20)
+        self.assertTrue(all(path.split()[-1] == "209.0" for path in strokes), strokes)
+
+    def test_a_curve_goes_through_its_values(self):
+        drawn = self.assert_drawn("yield from d.plot(100, 200, 80, 50, [(lambda t: t, d.WARM)], 0, 2, top=2)")
+        points = next(e.get("points") for e in drawn.iter() if e.get("points")).split()
+        self.assertEqual((points[0], points[40], points[80]), ("100.0,200.0", "140.0,175.0", "180.0,150.0"))
+
+    def test_a_table_dots_and_a_tree(self):
+        drawn = self.assert_drawn(
+            "yield from d.boxes(10, 10, [['a', 'b'], ['c', 'd']], [50, 70], fills=[(1, 1, d.GLOW)])\n"
+            "    yield from d.dots([(1, 2), (3, 4)])\n"
+            "    yield from d.tree(270, 150, 400, ('A', [('B', []), ('C', [('D', []), ('E', [])])]))"
+        )
+        self.assertEqual(self.texts(drawn)[:4], ["a", "b", "c", "d"])
+        self.assertEqual(sorted(self.texts(drawn)[4:]), ["A", "B", "C", "D", "E"])
+        at = [(e.get("cx"), e.get("cy")) for e in drawn.iter() if e.get("r") == "13"]
+        self.assertEqual(len(set(at)), 5)
+
+    def test_small_letters_are_raised(self):
+        drawn = self.assert_drawn("yield d.text(100, 100, 'small', size=9)")
+        self.assertEqual([e.get("font-size") for e in drawn.iter() if e.tag.endswith("}text")], ["16"])
+
+    def test_a_color_without_counterpart(self):
+        run = self.draw("yield d.circle(10, 10, 5, '#123456')")
+        self.assert_one_line(run, "drawing", ["'new'", "#123456 has no color on dark pages"])
+
+
+class Prose(Copy):
+    """The counts of tools.weave.prose."""
+
+    def report(self, *added):
+        old = "// # Stage 3: perfect mirrors and glass\n//\n"
+        self.change(STAGE3, old, old + "".join(f"// {line}".rstrip() + "\n" for line in [*added, ""]))
+        run = self.run_tool("weave.prose")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        return run.stdout
+
+    def test_a_sentence_of_31_words(self):
+        report = self.report(*["word " * 10] * 3, "end.")
+        self.assertIn(f"{STAGE3}:5: 31 words: word word", report)
+
+    def test_a_sentence_of_30_words_with_a_formula_that_is_one(self):
+        report = self.report(*["word " * 10] * 2, "word " * 9 + "$a + b +", "c + d = e + f$.")
+        self.assertNotIn(f"{STAGE3}:5:", report)
+
+    def test_a_paragraph_of_nine_lines(self):
+        self.assertIn(f"{STAGE3}:5: a paragraph of 9 lines", self.report(*["Short."] * 9))
+
+    def test_a_screen_without_figure(self):
+        report = self.report(*["Short.", ""] * 46)
+        self.assertRegex(report, rf"{STAGE3}:3: \d+ lines of prose without a figure")
+        self.assertNotIn(f"{STAGE3}:5: a paragraph", report)
 
 
 class Slides(Copy):

@@ -20,8 +20,10 @@ from tools.book.mistakes import mistakes_page
 from tools.book.page import weave
 from tools.book.symbols import symbols_page
 from tools.weave.formulas import check_formulas, formulas, formulas_of_header
-from tools.weave.names import check_names
+from tools.weave.names import check_names, check_text
 from tools.weave.offline import check_offline
+from tools.weave.tasks import read_sheet, task_file
+from tools.weave.transcripts import check_transcripts
 
 HERE = Path(__file__).parent
 PAGES = HERE / "pages"
@@ -47,14 +49,16 @@ def write_source(source, figures):
     for header in stage_headers():
         check_names(header)
         name = header.parent.name
-        lines = weave(header, figures.for_chapter(name))
-        figures.all_placed(name)
-        write(source / f"stages/{name}.md", bare + lines)
+        sheet = read_sheet(header)
+        for what, text in sheet.texts():
+            check_text(text, f"{task_file(header)}: {what}")
+        write(source / f"stages/{name}.md", bare + weave(header, figures, sheet))
     for header in core_headers():
         check_names(header)
-        write(source / f"{core_page(header)}.md", bare + weave(header))
+        write(source / f"{core_page(header)}.md", bare + weave(header, figures))
     for page in PAGES.glob("*.md"):
-        write(source / page.name, figures.filled(page.read_text()).split("\n"))
+        if page.name != "index.md":
+            write(source / page.name, figures.filled(page).split("\n"))
     write(source / "symbols.md", symbols_page())
     write(source / "measurements.md", measurements_page(source))
     mistakes = mistakes_page(source)
@@ -64,7 +68,7 @@ def write_source(source, figures):
 
 
 def front_page(figures, with_mistakes):
-    text = figures.filled((PAGES / "index.md").read_text())
+    text = figures.filled(PAGES / "index.md")
     chapters = [f"stages/{p.parent.name}" for p in stage_headers()]
     core = [core_page(header) for header in core_headers()]
     rest = ["symbols", "measurements", "further_reading"]
@@ -85,6 +89,9 @@ def check_every_formula(figures):
     found += formulas("\n".join(symbols_page()), "symbols.toml")
     for name, entry in figures.entries.items():
         found += formulas(entry["caption"], f"figures.toml, {name}")
+    for header in stage_headers():
+        for what, text in read_sheet(header).texts():
+            found += formulas(text, f"{task_file(header)}, {what}")
     check_formulas(found)
 
 
@@ -115,6 +122,8 @@ def main():
     figures = PlacedFigures(source / "figures")
     write_source(source, figures)
     check_every_formula(figures)
+    for header in stage_headers() + core_headers():
+        check_transcripts(header)
     if "--check" in sys.argv[1:]:
         return
     os.environ["BOOK_STATIC"] = str(static)

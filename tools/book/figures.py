@@ -2,57 +2,72 @@
 
 import re
 
-from compare.stages import Failure
+from compare.stages import ROOT, Failure
 from tools.weave.figures import Figures
+
+WIDEST_BESIDE = 4  # panels
+
+
+def pages_depth(path):
+    """How many folders the page of a header or of a page's source is down:
+    stages/N_name, core/room/name, or index."""
+    parts = path.relative_to(ROOT).parts
+    return {"stages": 1, "common": len(parts) - 1}.get(parts[0], 0)
+
+
+def picture(file, shows):
+    """A picture; a drawing is there twice, for light pages and dark ones."""
+    if not file.endswith(".svg"):
+        return [f"![{shows}]({file})"]
+    versions = (("only-light", file), ("only-dark", file.replace(".svg", "-dark.svg")))
+    return [
+        line
+        for kind, name in versions
+        for line in (f":::{{image}} {name}", f":alt: {shows}", f":class: {kind}", ":::", "")
+    ]
 
 
 class PlacedFigures(Figures):
     def __init__(self, folder):
         super().__init__(folder)
-        self.taken = {}
+        self.shown = {}
 
-    def myst(self, name, up=""):
-        entry = self.entry(name)
+    def myst(self, name, path, where):
+        """The figure on the page that is woven from the file at `path`."""
+        entry = self.entry(name, where)
+        if name in self.shown:
+            raise Failure(f"{where}: figure '{name}' stands at {self.shown[name]} already")
+        self.shown[name] = where
+        up = "../" * pages_depth(path)
         files = self.files(name)
         panels = entry.get("panels", [{}])
         facts, commands = self.facts(entry)
-        lines = [f"({name})=", "", f"::::::{{container}} figure panels-{len(files)}"]
+        lines = [f"({name})=", "", f":::::{{container}} figure panels-{len(files)}"]
         for file, panel in zip(files, panels):
             label = panel.get("label", "")
-            lines += [
-                ":::::{container} panel",
-                f"![{entry['shows']} {label}]({up}figures/{file})",
-                "",
-                label,
-                ":::::",
-            ]
-        lines += [":::::{container} caption", entry["caption"].strip(), ""]
+            shows = f"{entry['shows']} {label}".strip()
+            lines += ["::::{container} panel", *picture(f"{up}figures/{file}", shows), "", label, "::::"]
+        lines += ["::::{container} caption", entry["caption"].strip(), ""]
         if facts:
             lines += [f"Made with {facts}.", ""]
         if commands:
             lines += [
-                "::::{dropdown} The commands" if len(commands) > 1 else "::::{dropdown} The command",
+                ":::{dropdown} The commands" if len(commands) > 1 else ":::{dropdown} The command",
                 "```sh",
                 *commands,
                 "```",
-                "::::",
+                ":::",
             ]
-        return lines + [":::::", "::::::", ""]
+        return lines + ["::::", ":::::", ""]
 
-    def for_chapter(self, chapter):
-        """Figures of a chapter by the region or section that they are at."""
-        places = {}
-        for name, entry in self.entries.items():
-            if entry.get("chapter") == chapter:
-                place = entry.get("after") or entry["beside"]
-                places.setdefault(place, []).extend(self.myst(name, "../"))
-        self.taken[chapter] = places
-        return places
+    def is_wide(self, name, where):
+        """Whether it needs more than the column beside the prose."""
+        return len(self.entry(name, where).get("panels", [])) > WIDEST_BESIDE
 
-    def all_placed(self, chapter):
-        for place in self.taken[chapter]:
-            raise Failure(f"figures.toml: chapter {chapter} has no region nor section '{place}'")
+    def filled(self, page):
+        """The page's text with its lines `{figure} name` replaced."""
 
-    def filled(self, text):
-        """The page with its lines `{figure} name` replaced."""
-        return re.sub(r"^\{figure\} (\S+)$", lambda m: "\n".join(self.myst(m[1])), text, flags=re.M)
+        def made(match):
+            return "\n".join(self.myst(match[1], page, page.relative_to(ROOT)))
+
+        return re.sub(r"^\{figure\} (\S+)$", made, page.read_text(), flags=re.M)

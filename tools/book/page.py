@@ -1,10 +1,14 @@
 """Weaves a literate header into a MyST page: prose left, code right."""
 
 import difflib
+import itertools
 import re
+from dataclasses import dataclass, field
 
 from compare.stages import ROOT
+from tools.weave.figures import figure_reference
 from tools.weave.literate import changed_lines, earlier_version, pieces
+from tools.weave.transcripts import transcripts_of
 
 HEADING = re.compile(r"^(#+) (.*)")
 
@@ -43,61 +47,151 @@ def mark(path, piece):
 
 
 def code_block(path, piece):
+    """The piece's listing: in parts, where some of its lines are exercises."""
     name = path.relative_to(ROOT)
-    options = [f"lineno-start: {piece.line}"]
-    box = []
+    emphasized, box, title = [], [], f"{name}"
     if piece.region:
-        badge, lines, box = mark(path, piece)
+        badge, emphasized, box = mark(path, piece)
         title = f"{name}, **{piece.region}** {badge}".rstrip()
-        options.append(f"name: {slug(path, piece.region)}")
-        if lines:
-            options.append("emphasize-lines: " + ",".join(map(str, lines)))
-    else:
-        title = f"{name}"
-    options.insert(1, f"caption: {title}")
-    return fenced("code-block", "cpp", piece.lines, options, 3, "`") + box
+
+    def part(places, *options):
+        first = places[0]
+        lines = [str(n - first) for n in emphasized if n - 1 in places]
+        options = [f"lineno-start: {piece.numbers[first]}", *options]
+        options += ["emphasize-lines: " + ",".join(lines)] if lines else []
+        return fenced("code-block", "cpp", [piece.lines[i] for i in places], options, 3, "`")
+
+    if not piece.exercises:
+        options = [f"caption: {title}"]
+        options += [f"name: {slug(path, piece.region)}"] if piece.region else []
+        return part(range(len(piece.lines)), *options) + box
+    body = [f"({slug(path, piece.region)})="] if piece.region else []
+    body += fenced("container", "code-block-caption", [title], depth=4)
+    for exercise, places in itertools.groupby(
+        range(len(piece.lines)), lambda i: piece.exercise_at(piece.numbers[i])
+    ):
+        lines = part(list(places))
+        if exercise:
+            link = f"[exercise {exercise.number}](#{exercise.anchor})"
+            lines = fenced("container", "exercise-body", [link, "", *lines], depth=4)
+        body += lines
+    return fenced("container", "listing", body, depth=5) + box
+
+
+@dataclass
+class Row:
+    """What stands side by side: prose with its tasks, and figures,
+    transcripts and code. Each figure is (name, where it is referred to)."""
+
+    heading: str = ""
+    prose: list = field(default_factory=list)
+    beside: list = field(default_factory=list)
+    code: list = field(default_factory=list)
+
+    def has_prose(self):
+        return any(line.strip() for line in self.prose)
+
+    def has_exercises(self):
+        return any(piece.exercises for piece in self.code)
 
 
 def rows(path):
-    """(heading, prose, code pieces) in the header's order."""
+    """The header's rows in its order."""
     found = []
     for piece in pieces(path):
         if piece.kind == "code":
-            if not found:
-                found.append(["", [], []])
-            found[-1][2].append(piece)
+            # A task stands right before its region.
+            if not found or (piece.exercises and found[-1].code):
+                found.append(Row())
+            found[-1].code.append(piece)
             continue
-        found.append(["", [], []])
-        for line in piece.lines:
-            heading = HEADING.match(line)
-            if heading:
-                found.append([line, [], []])
+        found.append(Row())
+        transcripts = {one.line: one for one in transcripts_of(piece, path)}
+        until = 0
+        for number, line in zip(piece.numbers, piece.lines):
+            where = f"{path.relative_to(ROOT)}:{number}"
+            name = figure_reference(line, where)
+            if number < until:
+                continue
+            if name:
+                found[-1].beside.append(("figure", name, where))
+            elif number in transcripts:
+                until = number + len(transcripts[number].lines)
+                found[-1].beside.append(("transcript", transcripts[number].shown(), where))
+            elif HEADING.match(line):
+                found.append(Row(line))
             else:
-                found[-1][1].append(line)
-    return [row for row in found if row[0] or row[2] or any(row[1])]
+                if found[-1].beside and line.strip():
+                    found.append(Row())
+                found[-1].prose.append(line)
+    return [row for row in found if row.heading or row.code or row.beside or row.has_prose()]
 
 
-def weave(path, figures=None):
-    """The page. `figures` maps a region, or a section's title, to MyST lines;
-    those that stand beside prose or after a row are taken out of it."""
-    figures = figures if figures is not None else {}
+def task_box(task):
+    """An exercise's task, with its hints folded."""
+    number, title = task.mark.number, task.mark.title
+    facts = [f"{task.minutes} minutes", f"{task.points} point" + "s" * (task.points > 1)]
+    facts += ["needs " + ", ".join(f"[{n}](#exercise-{n.replace('.', '-')})" for n in task.needs)] * bool(
+        task.needs
+    )
+    body = [*task.task.strip().split("\n"), "", "*" + "; ".join(facts) + "*", ""]
+    for place, hint in enumerate(task.hints, 1):
+        body += fenced("dropdown", f"Hint {place}", hint.strip().split("\n"), depth=4)
+    checks = ["“" + test + "”" for test in task.tests]
+    body += fenced(
+        "dropdown",
+        "The test that checks it" if len(checks) == 1 else "The tests that check it",
+        ["Test cases that begin " + ", ".join(checks) + ":", "", "```sh", *task.command(), "```"],
+        depth=4,
+    )
+    options = ["class: exercise", f"name: {task.mark.anchor}"]
+    return fenced("admonition", f"Exercise {number}: {title}", body, options, depth=5)
+
+
+def closing(sheet):
+    """The questions, and the recap."""
+    page = ["## Questions", ""] if sheet.questions else []
+    for place, question in enumerate(sheet.questions, 1):
+        body = [f"**{place}.** " + question["ask"].strip(), ""]
+        body += fenced("dropdown", "Answer", question["answer"].strip().split("\n"), depth=5)
+        page += fenced("container", "question", body, depth=6)
+    page += ["## In five lines", ""] if sheet.recap else []
+    return page + [f"{place}. {line.strip()}" for place, line in enumerate(sheet.recap, 1)] + [""]
+
+
+def row_lines(row, path, figures, sheet):
+    """A row: what is wide stands across the page, and the rest side by side."""
+    across, right = [], []
+    for kind, item, where in row.beside:
+        wide = kind == "figure" and figures.is_wide(item, where)
+        lines = figures.myst(item, path, where) if kind == "figure" else item
+        (across if wide or not row.has_prose() else right).extend(lines)
+    prose = list(row.prose)
+    for piece in row.code:
+        for exercise in piece.exercises:
+            prose += ["", *task_box(sheet.tasks[exercise.number])]
+    code = [line for piece in row.code for line in code_block(path, piece)]
+    page = [row.heading, ""] if row.heading else []
+    if across and code:  # the figure stands between the two
+        head = Row(prose=row.prose)
+        page += side_by_side(head.prose if head.has_prose() else [], right) + across
+        return page + side_by_side(prose[len(row.prose) :], code)
+    return page + side_by_side(prose, right + code) + across
+
+
+def side_by_side(prose, right):
+    """Prose left, the rest right, or what there is of the two."""
+    words = any(line.strip() for line in prose)
+    body = fenced("container", "prose", prose, depth=6) if words else []
+    body += fenced("container", "code", right, depth=6) if right else []
+    kind = "row" + ("" if right else " alone") + (" bare" if not words else "")
+    return fenced("container", kind, body, depth=7) if body else []
+
+
+def weave(path, figures, sheet=None):
+    """The page. `figures` makes those that the header refers to, and `sheet`
+    has the tasks of its exercises."""
     page = []
-    for heading, prose, code in rows(path):
-        title = HEADING.match(heading).group(2) if heading else None
-        if heading:
-            page += [heading, ""]
-        right = [line for piece in code for line in code_block(path, piece)]
-        beside = figures.pop(title, [])
-        body = []
-        if any(line.strip() for line in prose):
-            body += fenced("container", "prose", prose, depth=6)
-        if right or beside:
-            body += fenced("container", "code", right + beside, depth=6)
-        kind = "row" + ("" if right or beside else " alone")
-        if right and not any(line.strip() for line in prose):
-            kind += " bare"
-        if body:
-            page += fenced("container", kind, body, depth=7)
-        for piece in code:
-            page += figures.pop(piece.region, [])
-    return page
+    for row in rows(path):
+        page += row_lines(row, path, figures, sheet)
+    return page + (closing(sheet) if sheet else [])

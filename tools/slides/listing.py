@@ -39,7 +39,8 @@ def excerpt(lines, steps, reference):
 
 def listing(reference, steps="", width=1112, height=485):
     """HTML for the region, with what is new since the stage before marked."""
-    code = region(reference).lines
+    piece = region(reference)
+    code = piece.lines
     path, name = reference.split("#")
     new = set()
     if path.startswith("stages/"):
@@ -61,12 +62,28 @@ def listing(reference, steps="", width=1112, height=485):
             f"{max(map(len, lines))} columns do not fit a slide; "
             "name its steps"
         )
-    html = highlight("\n".join(lines), CppLexer(stripnl=False), HtmlFormatter(nowrap=True, hl_lines=marked))
-    return (
-        f'<pre class="listing" style="font-size: {size:.2f}px">'
-        f"{html.rstrip()}</pre>\n"
-        f'<p class="source">{escape(path)}, <b>{escape(name)}</b></p>'
-    )
+    html = highlight("\n".join(lines), CppLexer(stripnl=False), HtmlFormatter(nowrap=True))
+    html = html.rstrip("\n").split("\n")
+    exercises = [None if n is None else piece.exercise_at(piece.numbers[n]) for n in chosen]
+    for place in range(len(html)):
+        # Blocks, which end their lines themselves.
+        classes = ["hll"] * (place + 1 in marked) + ["exercise"] * bool(exercises[place])
+        end = "\n" if classes or place + 1 < len(html) else ""
+        html[place] += end
+        if classes:
+            html[place] = f'<span class="{" ".join(classes)}">{html[place]}</span>'
+    source = f"{escape(path)}, <b>{escape(name)}</b>"
+    for one in dict.fromkeys(one.number for one in exercises if one):
+        source += exercise_link(path, one)
+    return f"""<pre class="listing" style="font-size: {size:.2f}px">{"".join(html)}</pre>
+<p class="source">{source}</p>"""
+
+
+def exercise_link(path, number):
+    """A badge that leads to the task in the book, which is built beside the
+    slides."""
+    page = f"../book/{path.rsplit('/', 1)[0]}.html#exercise-{number.replace('.', '-')}"
+    return f' <a class="exercise" href="{page}">exercise {number}</a>'
 
 
 def colors():

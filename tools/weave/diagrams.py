@@ -5,8 +5,15 @@ import random
 
 from tools.weave.drawing import (
     COOL,
+    FAINT,
+    GLASS,
+    GRAY,
     GREEN,
     INK,
+    LAMP,
+    PAPER,
+    RED,
+    SAND,
     SOFT,
     WARM,
     arc,
@@ -53,7 +60,7 @@ def two_densities():
         (130, "uniform in solid angle", False),
         (390, "in proportion to the cosine", True),
     ):
-        yield circle(x, 130, 100, "#f3e9df", SOFT)
+        yield circle(x, 130, 100, SAND, SOFT)
         for u, v in pairs:
             sine = math.sqrt(u) if cosine else math.sqrt(1 - u * u)
             phi = 2 * math.pi * v
@@ -68,8 +75,8 @@ def two_densities():
 @diagram("next-event", 520, 300)
 def next_event():
     yield f'<path d="M30 30 H490 V270 H30" fill="none" stroke="{INK}" stroke-width="2"/>'
-    yield circle(365, 150, 36, "#d9e4ef", COOL)
-    yield circle(250, 80, 6, "#e8b400", WARM)
+    yield circle(365, 150, 36, GLASS, COOL)
+    yield circle(250, 80, 6, LAMP, WARM)
     yield text(250, 62, "light", WARM)
     a = (170, 270)
     yield line(30, 190, a[0], a[1], INK, 2.2, True)
@@ -82,7 +89,7 @@ def next_event():
     yield line(354, 184, 256, 87, SOFT, 1, False, "2 4")
     yield text(190, 190, "lit", GREEN, "end")
     yield text(196, 46, "lit", GREEN)
-    yield text(416, 222, "in shadow", WARM, "start", size=12)
+    yield text(408, 222, "in shadow", WARM, "start", size=12)
     for number, (x, y) in enumerate((a, (130, 30), (440, 270)), 1):
         yield circle(x, y, 4.5)
     yield text(a[0], a[1] + 20, "1")
@@ -139,16 +146,16 @@ def snell():
         yield text(*polar(x - 12, y - 6, 180 + angle, length - 34), "w_o", COOL)
         yield text(x, 24, f"{angle:.1f}°")
         yield circle(x, y, 3)
-    yield text(22, 112, "air, η = 1", SOFT, "start", size=12)
-    yield text(22, 262, "glass, η = 1.5", SOFT, "start", size=12)
+    yield text(12, 112, "air, η = 1", SOFT, "start", size=12)
+    yield text(22, 264, "glass, η = 1.5", SOFT, "start", size=12)
 
 
 def bar(y, parts, end):
     x = 30
     for name, share, color in parts:
         width = 440 * share
-        yield (f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" fill="{color}" stroke="#fff"/>')
-        yield text(x + width / 2, y + 25, name, "#fff", size=13)
+        yield (f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" fill="{color}" stroke="{PAPER}"/>')
+        yield text(x + width / 2, y + 25, name, PAPER, size=13)
         x += width
     yield line(30 + 440 * end, y - 8, 30 + 440 * end, y + 48, INK, 1.5)
 
@@ -157,10 +164,10 @@ def events(y, last="absorbed"):
     yield from bar(
         y,
         (
-            ("diffuse p_d", 0.4, WARM),
-            ("specular p_s", 0.25, COOL),
-            ("refraction p_t", 0.2, GREEN),
-            (last, 0.15, "#444"),
+            ("diffuse p_d", 0.33, WARM),
+            ("specular p_s", 0.23, COOL),
+            ("refraction p_t", 0.25, GREEN),
+            (last, 0.19, GRAY),
         ),
         1,
     )
@@ -170,9 +177,7 @@ def events(y, last="absorbed"):
 
 def overfull(y):
     scale = 1 / 1.8
-    yield from bar(
-        y, (("red k_d: 0.9", 0.9 * scale, "#b03030"), ("green k_s: 0.9", 0.9 * scale, GREEN)), scale
-    )
+    yield from bar(y, (("red k_d: 0.9", 0.9 * scale, RED), ("green k_s: 0.9", 0.9 * scale, GREEN)), scale)
     yield text(30, y + 60, "0")
     yield text(30 + 440 * scale, y + 60, "1: ξ never comes here", anchor="start", size=14)
     yield text(470, y - 10, "1.8", SOFT)
@@ -213,7 +218,7 @@ def ray_counts():
     yield from axes(x0, y0, 480, 270)
     for power in range(0, 4):
         y = y0 - dy * power
-        yield line(x0, y, x0 + 480, y, "#ddd", 1)
+        yield line(x0, y, x0 + 480, y, FAINT, 1)
         yield text(x0 - 10, y + 5, f"{10**power:,}", SOFT, "end", size=13)
     for stage, color, name in ((3, WARM, "stage 3: every lobe"), (4, COOL, "stage 4: one by lot")):
         points = []

@@ -6,12 +6,17 @@ from tools.weave.drawing import (
     COOL,
     GREEN,
     INK,
+    SAND,
     SOFT,
     WARM,
+    angle,
     arc,
+    arrow,
     circle,
     curve,
+    dashed,
     diagram,
+    hatched,
     line,
     polar,
     ray,
@@ -82,6 +87,25 @@ def mirror_of_the_slide():
     yield from mirror(140, 170, True)
 
 
+@diagram("mirror-cone", 520, 200)
+def mirror_cone():
+    """A mirror as the limit of ever thinner cones around one direction."""
+    for x, half, name in ((90, 16, "a glossy surface"), (260, 8, "a glossier one"), (430, 0, "a mirror")):
+        y = 140
+        tip = polar(x, y, 42 - half, 104), polar(x, y, 42 + half, 104)
+        if half:
+            path = " ".join(f"{a:.1f},{b:.1f}" for a, b in ((x, y), *tip))
+            yield f'<polygon points="{path}" fill="{SAND}"/>'
+            for end in tip:
+                yield dashed(x, y, *end, WARM)
+            yield from angle(x, y, 42 - half, 42 + half, 90, "ε", WARM)
+        yield from hatched(x - 76, y, x + 76, y)
+        yield dashed(x, y, x, y - 104)
+        yield from arrow(x, y, *polar(x, y, 42, 72), "" if half else "w_r", WARM)
+        yield from arrow(x, y, *polar(x, y, -42, 72), "w_o", COOL)
+        yield text(x, 186, name)
+
+
 @diagram("one-path", 560, 300)
 def one_path():
     yield f'<path d="M40 30 H530 V270 H40" fill="none" stroke="{INK}" stroke-width="2.4"/>'
@@ -96,8 +120,8 @@ def one_path():
                 a[0] + (18 if a[0] < 500 else -16), a[1] + (20 if a[1] < 200 else -10), str(number), size=14
             )
     yield text(50, 146, "camera", SOFT, "start", size=14)
-    yield text(316, 52, "its emission, times the product", WARM, "start", size=13)
-    yield text(316, 68, "of the weights", WARM, "start", size=13)
+    yield text(316, 54, "its emission, times", WARM, "start", size=13)
+    yield text(316, 74, "the product of the weights", WARM, "start", size=13)
 
 
 def tree(x, y, angle, length, depth):
@@ -142,7 +166,7 @@ def pinhole():
     yield text(60, 176, "O", style="italic")
     yield line(*origin, 570, 196, COOL, 1.6, True)
     yield text(572, 214, "a ray", COOL, "end", size=14)
-    yield text(462, 28, "column 0 at L,", SOFT, "start", size=13)
+    yield text(462, 22, "column 0 at L,", SOFT, "start", size=13)
     yield text(462, 44, "row 0 at U", SOFT, "start", size=13)
 
 

@@ -1,13 +1,49 @@
 """The figures of the book and the slides: figures.toml says which there are."""
 
+import re
 import shutil
 import tomllib
 from pathlib import Path
 
-from compare.stages import Failure
+from compare.stages import ROOT, Failure
 from tools.weave import diagrams, diagrams_of_paths  # noqa: F401, they register
 from tools.weave.drawing import draw
 from tools.weave.renders import Render
+
+REFERENCE = re.compile(r"!\[\]\(([\w-]+)\)$")
+PLACE = re.compile(r"^// !\[\]\(([\w-]+)\)$|^\{figure\} (\S+)", re.M)
+
+
+def figure_reference(line, where):
+    """The name of the figure that this line of prose is, if it is one."""
+    found = REFERENCE.match(line)
+    if "![" in line and not found:
+        raise Failure(f"{where}: a figure is a line by itself, '// ![](name)'")
+    return found[1] if found else None
+
+
+def placed_names():
+    """The names of the figures that a header, a page or a slide shows."""
+    patterns = ("stages/*/*.hpp", "common/**/*.hpp", "tools/book/pages/*.md", "slides/*.md")
+    texts = [path.read_text() for pattern in patterns for path in ROOT.glob(pattern)]
+    return {match[1] or match[2] for text in texts for match in PLACE.finditer(text)}
+
+
+def one_exposure(entry, options):
+    """The options under which a number of radiance looks alike in all panels:
+    no step may depend on the picture's own maximum, as `equalize` does."""
+    where = f"figures.toml: {entry['name']}"
+    if entry["exposure"] != "shared":
+        raise Failure(f'{where}: exposure is "shared" or not there')
+    for panel in entry["panels"]:
+        for option in ("--tone-map", "--exposure", "--gamma"):
+            if option in panel.get("options", ""):
+                raise Failure(f"{where}: a panel has {option}, and the exposure is shared")
+    if "--tone-map" not in options:
+        return [*options, "--tone-map", "clamp,gamma"]
+    if "equalize" in options[options.index("--tone-map") + 1]:
+        raise Failure(f"{where}: equalize gives each panel an exposure of its own")
+    return options
 
 
 class Figures:
@@ -18,19 +54,26 @@ class Figures:
         self.entries = {entry["name"]: entry for entry in entries}
         if len(self.entries) != len(entries):
             raise Failure("figures.toml: a name stands there twice")
+        unused = [name for name in self.entries if name not in placed_names()]
+        if unused:
+            raise Failure(f"figures.toml: no chapter, page or slide shows '{unused[0]}'")
 
-    def entry(self, name):
+    def entry(self, name, where=""):
         if name not in self.entries:
-            raise Failure(f"figure '{name}' is not in figures.toml")
+            raise Failure((f"{where}: " if where else "") + f"figure '{name}' is not in figures.toml")
         return self.entries[name]
 
     def renders(self, entry):
+        shared = entry.get("options", "").split()
+        if "exposure" in entry:
+            shared = one_exposure(entry, shared)
         return [
             Render(
                 panel.get("stage", entry.get("stage")),
                 panel.get("scene", entry.get("scene")),
-                (entry.get("options", "") + " " + panel.get("options", "")).split(),
+                shared + panel.get("options", "").split(),
                 [*entry.get("replace", ()), *panel.get("replace", ())],
+                panel.get("mistake"),
             )
             for panel in entry.get("panels", [])
         ]
@@ -39,8 +82,9 @@ class Figures:
         """Makes the figure's pictures in `folder`, and returns their names."""
         entry = self.entry(name)
         if "panels" not in entry:
-            drawing = draw(name)
-            (self.folder / f"{name}.svg").write_text(drawing)
+            light, dark = draw(name)
+            (self.folder / f"{name}.svg").write_text(light)
+            (self.folder / f"{name}-dark.svg").write_text(dark)
             return [f"{name}.svg"]
         made = []
         for number, render in enumerate(self.renders(entry), 1):

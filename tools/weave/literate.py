@@ -5,30 +5,49 @@ import re
 from dataclasses import dataclass, field
 
 from compare.stages import ROOT, Failure, stage_headers
+from tools.weave import exercises
+from tools.weave.exercises import REGION
 
 WIDEST = 78
-MARKER = re.compile(r"// #(end)?region ([\w-]+)$")
 CLOSING = re.compile(r"^(#pragma once|\}  // namespace [\w:]+|)$")
 
 
 @dataclass
 class Piece:
-    """A run of lines of one kind. `line` is the first one's number."""
+    """A run of lines of one kind, and their numbers in the header. Marks of
+    exercises are left out; `exercises` are those whose body is in here."""
 
     kind: str  # "prose" or "code"
-    line: int
-    lines: list = field(default_factory=list)
     region: str | None = None
+    lines: list = field(default_factory=list)
+    numbers: list = field(default_factory=list)
+    exercises: list = field(default_factory=list)
+
+    @property
+    def line(self):
+        return self.numbers[0]
+
+    def add(self, number, line):
+        self.numbers.append(number)
+        self.lines.append(line)
+
+    def exercise_at(self, number):
+        """The exercise whose body has this line of the header, or None."""
+        return next((one for one in self.exercises if one.first <= number <= one.last), None)
 
 
 def pieces(path):
     """The header's prose and code in order, each region a piece by itself."""
     found, region = [], None
+    marked = exercises.exercises(path)
+    hidden = exercises.hidden(marked)
     for number, line in enumerate(path.read_text().splitlines(), 1):
         where = f"{path.relative_to(ROOT)}:{number}"
         if len(line) > WIDEST:
             raise Failure(f"{where}: over {WIDEST} columns")
-        marker = MARKER.match(line)
+        if number in hidden:
+            continue
+        marker = REGION.match(line)
         if marker:
             end, name = marker.groups()
             if end and name != region:
@@ -36,42 +55,52 @@ def pieces(path):
             if not end and region:
                 raise Failure(f"{where}: region {name} within {region}")
             region = None if end else name
-            found.append(Piece("code", number + 1, region=region))
+            found.append(Piece("code", region))
             continue
         prose = region is None and re.match(r"//( |$)", line)
         kind = "prose" if prose else "code"
         if not found or found[-1].kind != kind:
-            found.append(Piece(kind, number, region=region))
-        found[-1].lines.append(line[3:] if prose else line)
+            found.append(Piece(kind, region))
+        found[-1].add(number, line[3:] if prose else line)
     if region:
         raise Failure(f"{path.relative_to(ROOT)}: region {region} not ended")
-    return [piece for piece in map(trimmed, found) if piece.lines]
+    return with_exercises([piece for piece in map(trimmed, found) if piece.lines], marked)
+
+
+def with_exercises(found, marked):
+    for piece in found:
+        piece.exercises = [one for one in marked if one.first in piece.numbers]
+    return found
 
 
 def trimmed(piece):
     """Without empty lines at the ends, nor lines that only open or close."""
-    while piece.lines and CLOSING.match(piece.lines[-1]):
-        piece.lines.pop()
-    while piece.lines and CLOSING.match(piece.lines[0]):
-        piece.lines.pop(0)
-        piece.line += 1
+    for end in (-1, 0):
+        while piece.lines and CLOSING.match(piece.lines[end]):
+            piece.lines.pop(end)
+            piece.numbers.pop(end)
     return piece
 
 
 def regions(path):
     """The header's regions by name; those inside a class have its indent."""
     found, name = {}, None
+    marked = exercises.exercises(path)
+    hidden = exercises.hidden(marked)
     for number, line in enumerate(path.read_text().splitlines(), 1):
-        marker = MARKER.match(line.strip())
+        marker = REGION.match(line.strip())
+        if number in hidden:
+            continue
         if marker and not marker.group(1):
             name = marker.group(2)
             if name in found:
                 raise Failure(f"{path}:{number}: region {name} twice")
-            found[name] = Piece("code", number + 1, region=name)
+            found[name] = Piece("code", name)
         elif marker:
             name = None
         elif name:
-            found[name].lines.append(line)
+            found[name].add(number, line)
+    with_exercises(found.values(), marked)
     return found
 
 

@@ -11,6 +11,7 @@ import shlex
 import tomllib
 
 from compare.stages import BUILD, ROOT, Failure, render
+from tools.weave import mistaken
 
 WORDS = {
     "--spp": "{} samples per pixel",
@@ -26,8 +27,8 @@ ONE = {"1 samples per pixel": "1 sample per pixel", "1 bounces": "1 bounce"}
 class Render:
     """One run of a stage: a picture, or the rays that a sample took."""
 
-    def __init__(self, stage, scene, options, replace=()):
-        self.stage, self.scene = stage, scene
+    def __init__(self, stage, scene, options, replace=(), mistake=None):
+        self.stage, self.scene, self.mistake = stage, scene, mistake
         self.options = options + ["--seed", "1"]
         self.text = (ROOT / scene).read_text()
         self.changes = []
@@ -37,10 +38,16 @@ class Render:
             self.text = self.text.replace(old, new)
             self.changes.append(f"`{new}`")
 
-    def key(self):
+    def program(self):
+        if self.mistake:
+            return mistaken.program(self.stage, self.mistake)
         program = BUILD / f"stage{self.stage}"
         if not program.is_file():
             raise Failure(f"{program} has not been built")
+        return program
+
+    def key(self):
+        program = self.program()
         digest = hashlib.sha256(program.read_bytes())
         digest.update(self.text.encode())
         for picture in re.findall(r'image = "(.*?)"', self.text):
@@ -61,7 +68,7 @@ class Render:
             scene = made.with_suffix(".toml")
             scene.write_text(self.text)
         try:
-            report = render(f"stage{self.stage}", scene, made, *self.options)
+            report = render(self.program(), scene, made, *self.options)
         except Failure as failure:
             raise Failure(f"figures.toml: {self.command()}: {failure}") from None
         made.with_suffix(".json").write_text(json.dumps(report))
@@ -76,6 +83,8 @@ class Render:
         facts = [f"stage {self.stage}", f"`{self.scene}`"]
         if self.changes:
             facts.append("with " + ", ".join(self.changes))
+        if self.mistake:
+            facts.append(f"the mistake *{self.mistake}*")
         given = dict(zip(self.options[::2], self.options[1::2]))
         settings = tomllib.loads(self.text).get("render", {})
         if "--spp" not in given:
@@ -91,4 +100,7 @@ class Render:
         return facts
 
     def command(self):
-        return shlex.join([f"build/stage{self.stage}", self.scene, "-o", "picture.png", *self.options])
+        program = [f"build/stage{self.stage}"]
+        if self.mistake:
+            program = ["python3", "-m", "tools.weave.mistaken", f"{self.stage}/{self.mistake}"]
+        return shlex.join([*program, self.scene, "-o", "picture.png", *self.options])

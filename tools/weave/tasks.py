@@ -1,0 +1,147 @@
+"""What a chapter asks of its readers: exercises.toml beside the header.
+
+    recap = [five lines]
+    [[exercise]]     number, task, hints = [two], tests = [prefixes of the
+                     names of test cases], needs = [numbers], minutes, points
+    [[question]]     ask, answer; three of them
+
+Every mark of the header has its [[exercise]], and the other way round.
+"""
+
+import functools
+import tomllib
+from dataclasses import dataclass, field
+
+from compare.stages import ROOT, Failure, stage_headers
+from tests.mistakes.mistakes import test_names
+from tools.weave.exercises import Exercise, exercises, order
+
+QUESTIONS, RECAP, HINTS = 3, 5, 2
+KEYS = {
+    "number": str,
+    "task": str,
+    "hints": list,
+    "tests": list,
+    "needs": list,
+    "minutes": int,
+    "points": int,
+}
+
+
+@dataclass
+class Task:
+    mark: Exercise
+    task: str
+    hints: list
+    tests: list
+    needs: list
+    minutes: int
+    points: int
+
+    @property
+    def stage(self):
+        return self.mark.number.split(".")[0]
+
+    def command(self):
+        """Builds and runs the tests of the exercise; a comma would separate
+        two filters, and `?` is any letter."""
+        names = ",".join(test.replace(",", "?").replace("'", "?") + "*" for test in self.tests)
+        return [
+            f"cmake --build build --target stage{self.stage}_tests",
+            f"build/stage{self.stage}_tests -tc='{names}'",
+        ]
+
+
+@dataclass
+class Sheet:
+    """All of one exercises.toml; empty where a chapter has none."""
+
+    tasks: dict = field(default_factory=dict)
+    questions: list = field(default_factory=list)
+    recap: list = field(default_factory=list)
+
+    def texts(self):
+        """Everything that is prose, with what it belongs to."""
+        for number, task in self.tasks.items():
+            for text in (task.task, *task.hints):
+                yield f"exercise {number}", text
+        for place, question in enumerate(self.questions, 1):
+            yield f"question {place}", question["ask"]
+            yield f"question {place}", question["answer"]
+        for text in self.recap:
+            yield "recap", text
+
+
+def task_file(header):
+    return header.with_name("exercises.toml").relative_to(ROOT)
+
+
+@functools.cache
+def known_numbers():
+    return {one.number for header in stage_headers() for one in exercises(header)}
+
+
+def checked(entry, mark, where):
+    """The task, if all that it says can be."""
+    for key, kind in KEYS.items():
+        if key not in entry:
+            raise Failure(f"{where}: {key} is missing")
+        if type(entry[key]) is not kind:
+            raise Failure(f"{where}: {key} is not of type {kind.__name__}")
+        if kind is list and not all(isinstance(x, str) for x in entry[key]):
+            raise Failure(f"{where}: {key} is a list of strings")
+    for key in entry.keys() - KEYS.keys():
+        raise Failure(f"{where}: there is no key {key}")
+    if len(entry["hints"]) != HINTS:
+        raise Failure(f"{where}: has {len(entry['hints'])} hints, not {HINTS}")
+    for key in ("minutes", "points"):
+        if entry[key] < 1:
+            raise Failure(f"{where}: {key} is {entry[key]}, not 1 or more")
+    if not entry["tests"]:
+        raise Failure(f"{where}: no test checks it")
+    names = test_names(ROOT / "tests" / f"stage{mark.number.split('.')[0]}")
+    for test in entry["tests"]:
+        if not test or not any(name.startswith(test) for name in names):
+            raise Failure(f'{where}: no test case of its stage begins "{test}"')
+    for number in entry["needs"]:
+        if number not in known_numbers() or order(number) >= order(mark.number):
+            raise Failure(f"{where}: needs {number}, which is no exercise before it")
+    return Task(mark, *(entry[key] for key in KEYS if key != "number"))
+
+
+def read_sheet(header):
+    """What stands in the exercises.toml beside the header."""
+    marks = {one.number: one for one in exercises(header)}
+    name = task_file(header)
+    path = ROOT / name
+    if not path.exists():
+        for one in marks.values():
+            raise Failure(f"{one.where}: exercise {one.number} has no task: there is no {name}")
+        return Sheet()
+    try:
+        found = tomllib.loads(path.read_text())
+    except tomllib.TOMLDecodeError as error:
+        raise Failure(f"{name}: {error}") from None
+    for key in found.keys() - {"exercise", "question", "recap"}:
+        raise Failure(f"{name}: there is no key {key}")
+    tasks = {}
+    for entry in found.get("exercise", []):
+        number = entry.get("number", "?")
+        if number not in marks:
+            raise Failure(f"{name}: exercise {number} has no mark in {header.name}")
+        if number in tasks:
+            raise Failure(f"{name}: exercise {number} stands there twice")
+        tasks[number] = checked(entry, marks[number], f"{name}: exercise {number}")
+    for number, one in marks.items():
+        if number not in tasks:
+            raise Failure(f"{one.where}: exercise {number} has no task in {name}")
+    questions, recap = found.get("question", []), found.get("recap", [])
+    if len(questions) != QUESTIONS:
+        raise Failure(f"{name}: has {len(questions)} questions, not {QUESTIONS}")
+    for place, question in enumerate(questions, 1):
+        if question.keys() != {"ask", "answer"}:
+            raise Failure(f"{name}: question {place} has not just ask and answer")
+    if len(recap) != RECAP:
+        raise Failure(f"{name}: recap has {len(recap)} lines, not {RECAP}")
+    tasks = {number: tasks[number] for number in marks}
+    return Sheet(tasks, questions, recap)
