@@ -19,7 +19,6 @@ import struct
 import subprocess
 import sys
 import tempfile
-from pathlib import Path
 
 from compare.stages import BUILD, ROOT
 
