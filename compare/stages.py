@@ -38,6 +38,16 @@ def core_headers():
     return listed
 
 
+def test_names(folder):
+    """The names of the test cases in the folder's sources, file by file."""
+    literal = r'"(?:[^"\\]|\\.)*"'
+    names = []
+    for path in sorted(folder.glob("*.cpp")):
+        for case in re.findall(rf"TEST_CASE\(\s*((?:{literal}\s*)+)\)", path.read_text()):
+            names.append("".join(one[1:-1] for one in re.findall(literal, case)))
+    return names
+
+
 def built_stages():
     """The names of the programs that there are, the newest last."""
     return sorted(path.name for path in BUILD.glob("stage[1-9]"))

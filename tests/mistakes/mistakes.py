@@ -29,7 +29,7 @@ import sys
 import tomllib
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure, stage_headers
+from compare.stages import BUILD, ROOT, Failure, stage_headers, test_names
 
 CATALOGUE = Path(__file__).parent
 
@@ -73,16 +73,6 @@ def read_mistakes(path):
         entry.pop("replace", None)
         result.append(Mistake(stage=stage, edits=edits, **entry))
     return result
-
-
-def test_names(folder):
-    """The names of the test cases in a folder's sources."""
-    literal = r'"(?:[^"\\]|\\.)*"'
-    names = []
-    for path in sorted(folder.glob("*.cpp")):
-        for case in re.findall(rf"TEST_CASE\(\s*((?:{literal}\s*)+)\)", path.read_text()):
-            names.append("".join(one[1:-1] for one in re.findall(literal, case)))
-    return names
 
 
 def check_catalogue(mistakes):

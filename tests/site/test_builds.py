@@ -133,7 +133,7 @@ class Exercises(Copy):
         self.assert_refused("book", TASKS3, *parts)
 
     def test_they_are_listed(self):
-        run = self.run_tool("weave.exercises")
+        run = self.run_tool("exercises.marks")
         self.assertIn("3.1  mirror direction  " + STAGE3 + ":", run.stdout)
 
     def test_readers_see_no_mark_but_a_badge(self):

@@ -22,7 +22,7 @@ from tools.book.symbols import symbols_page
 from tools.weave.formulas import check_formulas, formulas, formulas_of_header
 from tools.weave.names import check_names, check_text
 from tools.weave.offline import check_offline
-from tools.weave.tasks import read_sheet, task_file
+from tools.exercises.sheet import read_sheet, task_file
 from tools.weave.transcripts import check_transcripts
 
 HERE = Path(__file__).parent

@@ -5,8 +5,7 @@ import re
 from dataclasses import dataclass, field
 
 from compare.stages import ROOT, Failure, stage_headers
-from tools.weave import exercises
-from tools.weave.exercises import REGION
+from tools.exercises.marks import REGION, exercises, hidden
 
 WIDEST = 78
 CLOSING = re.compile(r"^(#pragma once|\}  // namespace [\w:]+|)$")
@@ -39,13 +38,13 @@ class Piece:
 def pieces(path):
     """The header's prose and code in order, each region a piece by itself."""
     found, region = [], None
-    marked = exercises.exercises(path)
-    hidden = exercises.hidden(marked)
+    marked = exercises(path)
+    unseen = hidden(marked)
     for number, line in enumerate(path.read_text().splitlines(), 1):
         where = f"{path.relative_to(ROOT)}:{number}"
         if len(line) > WIDEST:
             raise Failure(f"{where}: over {WIDEST} columns")
-        if number in hidden:
+        if number in unseen:
             continue
         marker = REGION.match(line)
         if marker:
@@ -85,11 +84,11 @@ def trimmed(piece):
 def regions(path):
     """The header's regions by name; those inside a class have its indent."""
     found, name = {}, None
-    marked = exercises.exercises(path)
-    hidden = exercises.hidden(marked)
+    marked = exercises(path)
+    unseen = hidden(marked)
     for number, line in enumerate(path.read_text().splitlines(), 1):
         marker = REGION.match(line.strip())
-        if number in hidden:
+        if number in unseen:
             continue
         if marker and not marker.group(1):
             name = marker.group(2)

@@ -8,7 +8,10 @@
 The body is the solution; the stub, one line or several, is what stands there
 while the exercise is open. Marks stand within a region, with any indent.
 
-    python3 -m tools.weave.exercises    lists them
+In a handout a call of `open_exercise` comes before the stub, and who has
+written the exercise has taken it out.
+
+    python3 -m tools.exercises.marks    lists them
 """
 
 import re
@@ -22,6 +25,7 @@ LONGEST = 20
 REGION = re.compile(r"// #(end)?region ([\w-]+)$")
 OPENS = re.compile(r"// #region exercise (\d+)\.(\d+): (\S.*)$")
 CLOSES = "// #endregion"
+OPEN_CALL = re.compile(r"^\s*open_exercise\(")
 STUB = re.compile(r"// #stub (\S.*)$")
 
 
@@ -44,6 +48,10 @@ class Exercise:
     @property
     def where(self):
         return f"{self.path.relative_to(ROOT)}:{self.start}"
+
+    @property
+    def is_open(self):
+        return any(OPEN_CALL.search(line) for line in self.body)
 
     @property
     def anchor(self):
@@ -75,7 +83,8 @@ def opened(line, where, path, region, exercises):
     return Exercise(number, title, path, region, 0)
 
 
-def closed(exercise):
+def check_solved(exercise):
+    """What a solution has beside its marks."""
     if not exercise.stub:
         raise Failure(f"{exercise.where}: exercise {exercise.number} has no '// #stub' after its mark")
     if not any(line.strip() for line in exercise.body):
@@ -88,7 +97,15 @@ def closed(exercise):
 
 
 def exercises(path):
-    """The header's exercises, in its order."""
+    """The header's exercises, in its order, each with a solution and a stub."""
+    found = marks(path)
+    for one in found:
+        check_solved(one)
+    return found
+
+
+def marks(path):
+    """The same in whatever state they are."""
     found, region, now = [], None, None
     for number, line in enumerate(path.read_text().splitlines(), 1):
         bare = line.strip()
@@ -103,7 +120,6 @@ def exercises(path):
             if not now:
                 raise Failure(f"{where}: '{CLOSES}' ends no exercise")
             now.first, now.last, now.end = number - len(now.body), number - 1, number
-            closed(now)
             found.append(now)
             now = None
         elif bare.startswith("// #stub"):

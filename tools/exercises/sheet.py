@@ -12,9 +12,8 @@ import functools
 import tomllib
 from dataclasses import dataclass, field
 
-from compare.stages import ROOT, Failure, stage_headers
-from tests.mistakes.mistakes import test_names
-from tools.weave.exercises import Exercise, exercises, order
+from compare.stages import ROOT, Failure, stage_headers, test_names
+from tools.exercises.marks import Exercise, exercises, order
 
 QUESTIONS, RECAP, HINTS = 3, 5, 2
 KEYS = {
