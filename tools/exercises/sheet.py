@@ -71,6 +71,14 @@ class Sheet:
             yield "recap", text
 
 
+def read_tasks(header):
+    """The [[exercise]] tables by their numbers, unchecked: for a tree in which
+    a student works."""
+    path = header.with_name("exercises.toml")
+    tables = tomllib.loads(path.read_text(encoding="utf-8"))["exercise"] if path.exists() else []
+    return {table["number"]: table for table in tables}
+
+
 def task_file(header):
     return header.with_name("exercises.toml").relative_to(ROOT)
 

@@ -1,0 +1,278 @@
+"""Which exercises of a stage are done, and what is wrong with the first that
+is not: `make check`.
+
+    python3 -m tools.exercises.check [STAGE] [--watch | --hint]
+
+Exercises come in the order of the chapter, each judged by its own tests. The
+first that is open or wrong is explained, and no other; when all are done, the
+whole suite of the stage is run.
+"""
+
+import argparse
+import dataclasses
+import json
+import os
+import re
+import subprocess
+import sys
+import textwrap
+import time
+import tomllib
+
+from compare.stages import BUILD, ROOT, Failure, run, stage_headers
+from tools.exercises.marks import marks
+from tools.exercises.sheet import read_tasks
+from tools.exercises.words import plain, say
+
+NOTES = BUILD / "check"
+SCREEN = 24
+# A test has 20 seconds by run_suite; this is for all tests of an exercise.
+TIME_LIMIT = 120
+
+
+@dataclasses.dataclass
+class Judged:
+    """An exercise and what has become of it."""
+
+    number: str
+    title: str
+    where: str
+    task: dict
+    state: str = "done"  # or open, wrong, waits
+    says: str = ""  # of what is open or wrong
+    needs: str = ""  # the exercise that it waits for
+
+
+def default_stage():
+    """A handout's stage, else the newest."""
+    note = ROOT / "handout.json"
+    if note.exists():
+        return json.loads(note.read_text())["stage"]
+    return int(stage_headers()[-1].parent.name[0])
+
+
+def header_of(stage):
+    for header in stage_headers():
+        if header.parent.name.startswith(f"{stage}_"):
+            return header
+    known = ", ".join(header.parent.name[0] for header in stage_headers())
+    raise Failure(say("stage {stage} is not in this tree; there are {known}", stage=stage, known=known))
+
+
+def build(target):
+    """What the compiler says, and whether it has made the target."""
+    done = subprocess.run(
+        ["cmake", "--build", BUILD, "--target", target, "-j", str(os.cpu_count() or 2)],
+        capture_output=True,
+        text=True,
+        errors="backslashreplace",
+    )
+    return done.stdout + done.stderr, done.returncode == 0
+
+
+def first_words(text, most=SCREEN):
+    """From the compiler's first error or warning on, a screenful at most."""
+    lines = text.replace(str(ROOT) + "/", "").splitlines()
+    start = next((n for n, line in enumerate(lines) if re.search(r"\b(error|warning)\b", line)), 0)
+    kept = [line for line in lines[start:] if not re.match(r"\[\d+/\d+\]|ninja:|FAILED:|gmake", line)]
+    return "\n".join(kept[:most])
+
+
+def run_suite(stage, tests=()):
+    """Runs some of the stage's tests, or all. What they say, and whether they
+    pass; where a call of an open exercise was reached, it says so first."""
+    suffix = ".exe" if os.name == "nt" else ""
+    suite = BUILD / f"stage{stage}_check{suffix}"
+    runner = BUILD / f"run_suite{suffix}"
+    names = ",".join(test.replace(",", "?").replace("'", "?") + "*" for test in tests)
+    command = [*([runner] if runner.exists() else []), suite, "-r=brief", *([f"-tc={names}"] if tests else [])]
+    try:
+        done = subprocess.run(
+            command,
+            cwd=BUILD,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="backslashreplace",
+            timeout=TIME_LIMIT,
+        )
+    except subprocess.TimeoutExpired:
+        return say("does not come to an end: a loop without a way out?"), False
+    reached = [line for line in done.stderr.splitlines() if "is still open" in line]
+    return done.stdout + "\n" + "\n".join(reached), done.returncode == 0
+
+
+def explained(report):
+    """Of what the suite says, the first test that fails."""
+    blocks = re.split(r"\n\s*\n", report.strip())
+    # A test that crashes or hangs is told in the first lines.
+    first = [] if re.match(r"\d+ of \d+ tests? fail", blocks[0]) else blocks[:1]
+    # Where a test came through an exercise that is open, that may be all.
+    reached = [line for line in report.splitlines() if "is still open" in line]
+    return "\n\n".join(first + blocks[1:2] + reached[:1])
+
+
+def judge(stage, header):
+    """All exercises of the stage, in order."""
+    found = {one.number: one for one in marks(header)}
+    judged = {}
+    for number, task in read_tasks(header).items():
+        mark = found.get(number)
+        where = mark.where if mark else header.relative_to(ROOT).as_posix()
+        one = judged[number] = Judged(number, mark.title if mark else "", where, task)
+        waits = next((need for need in task["needs"] if judged.get(need, one).state != "done"), None)
+        if mark and mark.is_open:
+            one.state = "open"
+        elif waits:
+            one.state, one.needs = "waits", waits
+        else:
+            report, passed = run_suite(stage, task["tests"])
+            if not passed:
+                one.state, one.says = "wrong", explained(report)
+    return list(judged.values())
+
+
+def list_of(judged):
+    states = {
+        "done": say("done"),
+        "open": say("open"),
+        "wrong": say("wrong"),
+    }
+    for one in judged:
+        state = states.get(one.state) or say("not run: needs {number}", number=one.needs)
+        yield f"  {one.number:5}{one.title:44}{state}"
+
+
+def wrapped(text, indent="  "):
+    return textwrap.fill(text, 78, initial_indent=indent, subsequent_indent=indent)
+
+
+def explain(one):
+    """The first exercise that is not done, and what to do."""
+    yield f"{one.number} {one.title}, {one.where}"
+    yield ""
+    if one.state == "open":
+        yield wrapped(plain(one.task["task"]))
+        next_step = say("Write it there, and take out the line that says open_exercise.")
+    else:
+        yield one.says
+        next_step = say("Mend it, and `make check` once more.")
+    yield ""
+    yield next_step + " " + say("`make hint` gives a hint, `make watch` checks whenever you save.")
+
+
+def title_of(header):
+    return next(line[5:] for line in header.read_text().splitlines() if line.startswith("// # "))
+
+
+def check(stage):
+    """Prints a screenful; True if all is well."""
+    header = header_of(stage)
+    said, made = build(f"stage{stage}_header")
+    if not made:
+        print(say("The stage does not compile yet. The first error:") + "\n\n" + first_words(said))
+        return False
+    warnings = first_words(said, 12) if "warning:" in said else ""
+    said, made = build(f"stage{stage}_check")
+    if not made:
+        print(say("The tests do not compile with this stage: has a name or a type changed?"))
+        print("\n" + first_words(said))
+        return False
+    judged = judge(stage, header)
+    done = sum(one.state == "done" for one in judged)
+    print(f"{title_of(header)}  [{done}/{len(judged)}]\n")
+    print("\n".join(list_of(judged)) + "\n")
+    if warnings:
+        print(warnings + "\n")
+    first = next((one for one in judged if one.state in ("wrong", "open")), None)
+    remember(stage, first)
+    if first:
+        print("\n".join(explain(first)))
+        return False
+    report, passed = run_suite(stage)
+    if not passed:
+        print(say("Each exercise passes its own tests, but the stage as a whole does not:") + "\n")
+        print(explained(report))
+        return False
+    print(report.strip() + "\n")
+    print(say("Stage {stage} is done. `make` paints its picture.", stage=stage))
+    return True
+
+
+def remember(stage, first):
+    NOTES.mkdir(parents=True, exist_ok=True)
+    (NOTES / f"stage{stage}.json").write_text(json.dumps(first.number if first else None))
+
+
+def hint(stage):
+    """Prints the next hint of the exercise that the last check has explained."""
+    tasks = read_tasks(header_of(stage))
+    note = NOTES / f"stage{stage}.json"
+    number = json.loads(note.read_text()) if note.exists() else next(iter(tasks), None)
+    if number not in tasks:
+        print(say("Every exercise is done: there is nothing to give a hint for."))
+        return
+    shown = NOTES / f"hints{number}"
+    count = min(int(shown.read_text()) + 1 if shown.exists() else 1, len(tasks[number]["hints"]))
+    shown.parent.mkdir(parents=True, exist_ok=True)
+    shown.write_text(str(count))
+    print(f"{number} {plain(tasks[number]['task'])}\n")
+    for place, text in enumerate(tasks[number]["hints"][:count], 1):
+        print(wrapped(plain(f"{place}. {text}")) + "\n")
+    left = len(tasks[number]["hints"]) - count
+    print(say("{left} more: `make hint`", left=left) if left else say("That was the last one."))
+
+
+def watch(stage):
+    """Checks whenever the header is saved, until Ctrl-C."""
+    header = header_of(stage)
+    seen = None
+    try:
+        while True:
+            try:
+                now = header.stat().st_mtime_ns
+            except FileNotFoundError:  # an editor is saving
+                now = seen
+            if now != seen:
+                seen = now
+                print("\033[2J\033[H" if sys.stdout.isatty() else "", end="", flush=True)
+                check(stage)
+                picture(stage)
+                print("\n" + say("Waiting for {file} to be saved; Ctrl-C ends.", file=header.relative_to(ROOT)), flush=True)
+            time.sleep(0.3)
+    except KeyboardInterrupt:
+        print()
+
+
+def picture(stage):
+    """Paints what the stage paints by now, small."""
+    goldens = tomllib.loads((ROOT / "tests/golden/goldens.toml").read_text())["golden"]
+    scene = next((one["scene"] for one in goldens if one["stage"] == stage), None)
+    if not scene or not build(f"stage{stage}")[1]:
+        return
+    target = BUILD / "pictures" / f"stage{stage}.png"
+    target.parent.mkdir(exist_ok=True)
+    options = ["-o", target, "--size", "128x128", "--spp", "16", "--quiet"]
+    if run(f"stage{stage}", ROOT / f"scenes/{scene}.toml", *options).returncode == 0:
+        print("\n" + say("What it paints by now: {file}", file=target))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("stage", nargs="?", type=int)
+    parser.add_argument("--watch", action="store_true", help="check whenever the header is saved")
+    parser.add_argument("--hint", action="store_true", help="the next hint of the exercise that is not done")
+    options = parser.parse_args()
+    stage = default_stage() if options.stage is None else options.stage
+    if options.hint:
+        return hint(stage)
+    if options.watch:
+        return watch(stage)
+    return 0 if check(stage) else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except Failure as error:
+        sys.exit(f"check: {error}")

@@ -1,0 +1,126 @@
+"""What a handout holds: which files of the tree, and what becomes of them."""
+
+import re
+import tomllib
+from pathlib import Path
+
+from compare.stages import ROOT, Failure, stage_headers
+from tools.exercises.marks import exercises
+from tools.handout.lab_sheet import lab_sheet
+from tools.handout.opened import opened
+
+OVERLAY = Path(__file__).parent / "tree"
+# Everything that every stage needs. A folder ends with a stroke.
+COMMON = (
+    "common/",
+    "cmake/",
+    "scenes/README.md",
+    "scenes/scene.schema.json",
+    "stages/introductions.hpp",
+    "compare/",
+    "tests/support/",
+    "tests/suites.cmake",
+    "tests/leaks.supp",
+    "tools/__init__.py",
+    "tools/exercises/",
+    "CMakeLists.txt",
+    ".gitignore",
+    ".clang-format",
+    "LICENSE",
+)
+ANSWER = re.compile(r'^answer = (?:"""[\s\S]*?"""|"(?:[^"\\]|\\.)*")$', re.MULTILINE)
+IMAGE = re.compile(r'image\s*=\s*"([^"]+)"')
+
+
+def stage_of(header):
+    return int(header.parent.name[0])
+
+
+def words_of(table):
+    """All keys and all strings of a scene."""
+    if isinstance(table, dict):
+        for key, value in table.items():
+            yield key
+            yield from words_of(value)
+    elif isinstance(table, list):
+        for value in table:
+            yield from words_of(value)
+    elif isinstance(table, str):
+        yield table
+
+
+def introduced():
+    """The stage that introduces each word of the scene format."""
+    text = (ROOT / "stages/introductions.hpp").read_text()
+    return {word: int(stage) for word, stage in re.findall(r'\{"(\w+)", (\d)\}', text)}
+
+
+def scenes_until(stage, tracked):
+    """The scenes that a stage can read, and the images that they show."""
+    stages = introduced()
+    for path in tracked:
+        if not re.fullmatch(r"scenes/\w+\.toml", path):
+            continue
+        text = (ROOT / path).read_text()
+        if max((stages.get(word, 1) for word in words_of(tomllib.loads(text))), default=1) <= stage:
+            yield path
+            yield from (f"scenes/{image}" for image in IMAGE.findall(text))
+
+
+def goldens_until(stage):
+    """goldens.toml without the later stages' entries."""
+    text = (ROOT / "tests/golden/goldens.toml").read_text()
+    head, *entries = re.split(r"(?m)^(?=\[\[golden\]\])", text)
+    return head + "".join(entry for entry in entries if tomllib.loads(entry)["golden"][0]["stage"] <= stage)
+
+
+def contents(stage, tracked, solutions):
+    """The handout's files: {path: bytes}. `tracked` are the tree's; what comes
+    before `stage` has its `solutions`, "previous" or "none"."""
+    headers = {stage_of(header): header for header in stage_headers()}
+    if stage not in headers:
+        raise Failure(f"stage {stage} is not in this tree; there are {', '.join(map(str, headers))}")
+    if not exercises(headers[stage]):
+        raise Failure(f"stage {stage} has no exercise: {headers[stage].relative_to(ROOT)} has no mark")
+    chosen = set(scenes_until(stage, tracked))
+    for path in tracked:
+        number = re.match(r"(?:stages/|tests/stage|tests/golden/(?:signatures/|parts/)?stage)(\d)", path)
+        if number:
+            if int(number[1]) <= stage:
+                chosen.add(path)
+        elif any(path == name or (name.endswith("/") and path.startswith(name)) for name in COMMON):
+            chosen.add(path)
+    files = {path: (ROOT / path).read_bytes() for path in sorted(chosen)}
+    files["tests/golden/goldens.toml"] = goldens_until(stage).encode()
+    for number, header in headers.items():
+        if number > stage:
+            continue
+        folder = header.parent.relative_to(ROOT).as_posix()
+        if number == stage or solutions == "none":
+            files[f"{folder}/path_tracer.hpp"] = opened(header).encode()
+            sheet = files.get(f"{folder}/exercises.toml", b"").decode()
+            files[f"{folder}/exercises.toml"] = ANSWER.sub('answer = ""', sheet).encode()
+            files[f"{folder}/README.md"] = lab_sheet(header).encode()
+        else:
+            # Their marks stay, their stubs go.
+            numbers = [one.number for one in exercises(header)]
+            files[f"{folder}/path_tracer.hpp"] = opened(header, numbers).encode()
+    for path in sorted(OVERLAY.rglob("*")):
+        if path.is_file():
+            files[path.relative_to(OVERLAY).as_posix()] = path.read_bytes()
+    files["README.md"] = readme(headers[stage]).encode()
+    return files
+
+
+def readme(header):
+    first = exercises(header)[0]
+    title = next(line for line in header.read_text().splitlines() if line.startswith("// # "))
+    scenes = {1: "scenes/cornell_box_ceiling_diffuse.toml", 2: "scenes/cornell_box_point_diffuse.toml"}
+    return (OVERLAY / "README.md").read_text().format(
+        stage=stage_of(header),
+        title=title.split(": ", 1)[1],
+        header=header.relative_to(ROOT).as_posix(),
+        folder=header.parent.name,
+        first=f"{first.number}: {first.title}",
+        scene=scenes.get(stage_of(header), "scenes/cornell_box_point.toml"),
+    )
