@@ -6,7 +6,11 @@ import tomllib
 from pathlib import Path
 
 from compare.stages import ROOT, Failure
-from tools.weave import diagrams, diagrams_of_paths  # noqa: F401, they register
+from tools.weave import (  # noqa: F401, they register
+    diagrams,
+    diagrams_of_paths,
+    diagrams_stage1,
+)
 from tools.weave.drawing import draw
 from tools.weave.renders import Render
 
