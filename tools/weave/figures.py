@@ -10,6 +10,10 @@ from tools.weave import (  # noqa: F401, they register
     diagrams,
     diagrams_of_paths,
     diagrams_stage1,
+    diagrams_stage2,
+    diagrams_stage3,
+    diagrams_stage4,
+    diagrams_stage5,
 )
 from tools.weave.drawing import draw
 from tools.weave.renders import Render
