@@ -52,6 +52,10 @@ TEST_CASE("two unlike lights of each type give what each of them gives") {
   check_unlike_lights<PathTracer>();
 }
 
+TEST_CASE("a light that brings nothing takes nothing from those after it") {
+  check_useless_lights<PathTracer>();
+}
+
 TEST_CASE("at most N bounces: N terms of the light of a lamp") {
   check_bound_under_a_lamp<PathTracer>();
 }

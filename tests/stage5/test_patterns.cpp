@@ -218,11 +218,54 @@ TEST_CASE("a picture of three columns repeats to the left as to the right") {
   }
 }
 
+// One texel is white, and a quarter of a texel from its center, along each
+// axis, it has 3/4 of the weight along that axis.
+TEST_CASE("each texel is mixed with its neighbors on all sides") {
+  for (const auto& [width, height] : {std::pair{4, 3}, std::pair{3, 4}}) {
+    for (int place = 0; place < width * height; ++place) {
+      Texture texture;
+      texture.width = width;
+      texture.height = height;
+      texture.texels.resize(static_cast<std::size_t>(width * height));
+      texture.texels[static_cast<std::size_t>(place)] = {255, 255, 255};
+      const int column = place % width, row = place / width;
+      for (const Vec2 aside : {Vec2(0.25f, 0.25f), Vec2(-0.25f, 0.25f),
+                               Vec2(0.25f, -0.25f), Vec2(-0.25f, -0.25f)}) {
+        CAPTURE(column);
+        CAPTURE(row);
+        CAPTURE(aside);
+        const float x = static_cast<float>(column) + 0.5f + aside.x;
+        const float y = static_cast<float>(row) + 0.5f + aside.y;
+        check_color(image_color(texture,
+                                {x / static_cast<float>(width),
+                                 1 - y / static_cast<float>(height)},
+                                false),
+                    Vec3(0.75f * 0.75f));
+      }
+    }
+  }
+}
+
 TEST_CASE("the poles of a globe do not mix") {
   const Texture texture = four_texels();
   check_color(image_color(texture, {0.25f, 1}, true), {1, 0, 0});
   check_color(image_color(texture, {0.25f, 0}, true), {0, 0, 1});
   check_color(image_color(texture, {0, 0.75f}, true), {0.5f, 0.5f, 0});
+}
+
+TEST_CASE("the poles of a map that is not square do not mix") {
+  for (const auto& [width, height] : {std::pair{6, 2}, std::pair{2, 6}}) {
+    Texture texture;
+    texture.width = width;
+    texture.height = height;
+    const auto row = static_cast<std::size_t>(width);
+    texture.texels.resize(row * static_cast<std::size_t>(height));
+    std::fill_n(texture.texels.begin(), row, decltype(texture.texels)::value_type{255, 0, 0});
+    std::fill_n(texture.texels.rbegin(), row, decltype(texture.texels)::value_type{0, 0, 255});
+    CAPTURE(width);
+    check_color(image_color(texture, {0.4f, 1}, true), {1, 0, 0});
+    check_color(image_color(texture, {0.4f, 0}, true), {0, 0, 1});
+  }
 }
 
 TEST_CASE(
@@ -265,14 +308,23 @@ TEST_CASE("each rectangle has its own uv") {
   check_uv(uv, {0.25f, 0.5f});
 }
 
+TEST_CASE("each triangle has its own uv") {
+  const Scene scene = with(
+      "type = \"triangle\"\nvertices = [[5, 5, 5], [6, 5, 5], [5, 6, 5]]\n"
+      "material = \"m\"\n[[shapes]]\n"
+      "type = \"triangle\"\nvertices = [[0, 0, 1], [1, 0, 1], [0, 1, 1]]");
+  check_uv(uv_at(scene, {0.25f, 0.5f, 0}, {0.25f, 0.5f, 1}), {0.25f, 0.5f});
+}
+
+// A scale that is odd: a cube that is one too deep would have another color.
 TEST_CASE("checkers over the position are cubes of 1/scale") {
   const Scene scene =
       with("type = \"plane\"\nnormal = [0, 1, 0]\ndistance = 0.1");
   const VaryingCoefficient pattern{VaryingType::position_checker, Vec3(1),
-                                   Vec3(0), 4, nullptr};
-  // 4 (x, -0.1, 0.1) lies in the cubes floor(4 x), -1, 0.
+                                   Vec3(0), 3, nullptr};
+  // 3 (x, -0.1, 0.1) lies in the cubes floor(3 x), -1, 0.
   for (int i = 0; i < 4; ++i) {
-    const float x = (static_cast<float>(i) + 0.5f) / 4;
+    const float x = (static_cast<float>(i) + 0.5f) / 3;
     const auto hit = scene.nearest_hit({{x, 1, 0.1f}, {0, -1, 0}});
     REQUIRE(hit.has_value());
     CHECK(coefficient_at(pattern, scene, *hit, {0, 1, 0}) ==

@@ -41,21 +41,62 @@ inline std::array<UnlikeLight, 6> unlike_lights() {
   }};
 }
 
+/// Lights of the same types that bring nothing there: below the floor, turned
+/// away from it, or behind a black ball, which comes with them.
+inline std::array<UnlikeLight, 6> useless_lights() {
+  const std::string screen = text::sphere("2, 0.8, 2", "0.4", "black");
+  const DoubleVec3 nothing(0);
+  return {{
+      {"a point light below", text::point_light("1, -2, 1", "[40, 0, 9]"),
+       nothing},
+      {"a point light behind something",
+       screen + text::point_light("5, 2, 5", "[40, 0, 9]"), nothing},
+      {"a ball below", text::sphere("2, -4, 1", "1", "blue"), nothing},
+      {"a ball behind something",
+       screen + text::sphere("5, 2, 5", "0.4", "blue"), nothing},
+      {"a rectangle that is turned away",
+       text::rectangle("2, 2, -3", "0, 0, 1", "1, 0, 0", "red"), nothing},
+      {"a rectangle behind something",
+       screen + text::rectangle("5, 2, 5", "0.3, 0, 0", "0, 0, 0.3", "red"),
+       nothing},
+  }};
+}
+
+/// Sends a ray to the origin of a diffuse floor, with these shapes about it
+/// and one bounce.
+template <class PathTracer>
+void check_floor_among(const std::string& what, const std::string& shapes,
+                       const DoubleVec3& gives) {
+  const std::string floor =
+      "[materials]\nfloor = { kd = [0.5, 0.25, 0.75] }\nblack = { kd = 0 }\n"
+      "red = { ke = [9, 1, 0] }\nblue = { ke = [0, 1, 4] }\n" +
+      text::plane("0, 1, 0", "0", "floor");
+  const Ray down{{0, 0.005f, 0}, {0, -1, 0}};
+  check_radiance<PathTracer>(what, scene_text(floor + shapes), down,
+                             with_bounces(1),
+                             DoubleVec3(0.5, 0.25, 0.75) * gives, 20'000);
+}
+
+/// A light that brings nothing takes nothing from those after it.
+template <class PathTracer>
+void check_useless_lights() {
+  const auto lights = unlike_lights();
+  const auto useless = useless_lights();
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const UnlikeLight& one = lights[i];
+    for (const UnlikeLight& other : {useless[i], useless[i ^ 1]}) {
+      check_floor_among<PathTracer>(
+          other.what + std::string(", then ") + one.what,
+          other.shape + one.shape, one.gives);
+    }
+  }
+}
+
 /// A diffuse floor under two of them, in both orders, and under all six.
 template <class PathTracer>
 void check_unlike_lights() {
-  const std::string floor =
-      "[materials]\nfloor = { kd = [0.5, 0.25, 0.75] }\n"
-      "red = { ke = [9, 1, 0] }\nblue = { ke = [0, 1, 4] }\n" +
-      text::plane("0, 1, 0", "0", "floor");
-  const DoubleVec3 kd(0.5, 0.25, 0.75);
-  const Ray down{{0, 0.005f, 0}, {0, -1, 0}};
   const auto lights = unlike_lights();
-  const auto check = [&](const std::string& what, const std::string& shapes,
-                         const DoubleVec3& gives) {
-    check_radiance<PathTracer>(what, scene_text(floor + shapes), down,
-                               with_bounces(1), kd * gives, 20'000);
-  };
+  const auto check = check_floor_among<PathTracer>;
   std::string all;
   DoubleVec3 sum(0);
   for (std::size_t i = 0; i < lights.size(); ++i) {
