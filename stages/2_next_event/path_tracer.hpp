@@ -396,7 +396,7 @@ class PathTracer {
 
 // ![](direct-and-all)
 //
-// Check it: stage 1 and stage 2 must differ by noise alone. `make diff`
+// Check it: stage 1 and stage 2 must differ by noise alone. This command
 // renders both and says so.
 //
 //     make diff A=stage1 B=stage2 SCENE=scenes/cornell_box_lamp_diffuse.toml
