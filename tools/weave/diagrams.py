@@ -188,13 +188,6 @@ def random_number(y):
     yield text(30 + 440 * 0.52, y - 34, "ξ = 0.52", size=13)
 
 
-@diagram("event-bar", 520, 250)
-def event_bar():
-    yield from events(50)
-    yield from random_number(50)
-    yield from overfull(170)
-
-
 @diagram("events", 500, 120)
 def event_bar_alone():
     yield from events(50)
