@@ -2,13 +2,16 @@
 
 // # Stage 5: Fresnel and textures
 //
-// A material has had the same coefficients everywhere. Real ones do not: a
-// floor has tiles, a globe has countries, and a window reflects the sky when
-// you look along it and hardly anything when you look through. The rendering
-// equation has always allowed it: $f_r(x, \omega_i, \omega_o)$ depends on the
-// place $x$ and on the direction of view $\omega_o$. So before a surface is
-// used, ask what it is here, seen from there. Nothing else changes.
-
+// So far a material was the same everywhere. Real materials are not. A floor
+// has tiles, a globe has countries. A window reflects the sky if you look
+// along it, and hardly anything if you look straight through. The rendering
+// equation has always allowed this: $f_r(x, \omega_i, \omega_o)$ depends on
+// the place $x$ and on the direction of view $\omega_o$. So before a surface
+// is used, ask for its material *here*, seen from *there*. Nothing else
+// changes.
+//
+// ![](floor)
+//
 #include "common/image/srgb.hpp"
 #include "stages/4_russian_roulette/path_tracer.hpp"
 
@@ -27,33 +30,72 @@ using stage4::LobeChoice;
 
 // ## How much glass reflects
 //
-// At the border of two transparent materials some light is reflected and the
-// rest goes through. How much, Maxwell's equations settle, and Fresnel had
-// found it before them. Light that swings across the plane of incidence (s)
-// and light that swings within it (p) are reflected differently:
+// In stage 3 glass reflected a fixed fraction, say 10 %. Real glass reflects
+// 4 % when you look straight at it, and everything at a grazing angle.
+//
+// ![](fresnel-or-fixed)
+//
+// Light is a wave that swings across its direction. The *plane of incidence*
+// is the plane that holds the ray and the normal. Light that swings square to
+// this plane is called *s-polarized*, light that swings within it
+// *p-polarized*. Glass reflects the two differently.
+//
+// ![](polarization)
+//
+// The *Fresnel equations* give the amplitude of each after reflection. They
+// follow from Maxwell's equations (pbrt, 4th edition, section 9.3.5). With
+// the angles and indices of stage 3:
 //
 // $$r_s = \frac{\eta_o\cos\theta_o - \eta_i\cos\theta_i}
 // {\eta_o\cos\theta_o + \eta_i\cos\theta_i}, \quad
 // r_p = \frac{\eta_i\cos\theta_o - \eta_o\cos\theta_i}
 // {\eta_i\cos\theta_o + \eta_o\cos\theta_i}$$
 //
-// These are amplitudes; power goes with their squares. Light without a
-// preferred swing is half of each (pbrt, 4th edition, section 9.3.5):
+// Power goes with the square of the amplitude. Light from the sun or a lamp
+// is *unpolarized*: half of each. So the reflected fraction is
 //
 // $$F = \tfrac12 (r_s^2 + r_p^2)$$
 //
-// Glass of 1.5 seen squarely reflects 4 %, from either side. At 56.3 degrees
-// $r_p$ is 0: what is reflected from a lake there is all s, and sunglasses
-// that block s block the glare. At grazing angles $F$ is 1. From inside it is
-// 1 already beyond the 41.8 degrees of total internal reflection.
+// (Reflected light is partly polarized afterwards. This program forgets that
+// between two hits, as nearly all renderers do.)
+//
+// Check the formula where you know the answer:
+//
+// - Straight on, all cosines are 1. Then $F = \big(\frac{\eta_o -
+//   \eta_i}{\eta_o + \eta_i}\big)^2 = (0.5/2.5)^2 = 0.04$ for glass, from
+//   either side.
+// - At a grazing angle $\cos\theta_o = 0$. Both squares are 1, and so is $F$.
+// - Inside glass beyond 41.8 degrees there is no $\theta_i$. All is
+//   reflected: $F = 1$.
+// - At one angle $r_p$ is 0, and only s-polarized light is reflected. This is
+//   *Brewster's angle*, $\tan\theta_o = \eta_i/\eta_o$: 56.3 degrees for
+//   glass from outside, 33.7 from inside, 53.1 for a lake. Sunglasses that
+//   block s-polarized light block the glare of the lake.
 //
 // ![](fresnel-curves)
+//
+// `fresnel_reflectance` gets $\cos\theta_o$ and the ratio $\eta_o/\eta_i$
+// only. So divide both fractions above and below by $\eta_i$:
+//
+// $$r_s = \frac{\eta\cos\theta_o - \cos\theta_i}
+// {\eta\cos\theta_o + \cos\theta_i}
+// \qquad
+// r_p = \frac{\cos\theta_o - \eta\cos\theta_i}
+// {\cos\theta_o + \eta\cos\theta_i}
+// \qquad \eta = \frac{\eta_o}{\eta_i}$$
+//
+// The cosine $\cos\theta_i$ comes from Snell's law as in stage 3. If
+// $\sin^2\theta_i$ is 1 or more, return 1 before you take the root. The root
+// of a negative number is a *NaN*, a value that is "not a number", and it
+// spoils every sum that it enters.
 
 // #region fresnel
 /// The share of unpolarised light that is reflected, 0 to 1. `cos_o` >= 0 is
 /// the cosine between the normal and wo, on the side of wo; `eta_ratio` is
 /// eta_o / eta_i. The same for both directions of one ray.
 inline float fresnel_reflectance(float cos_o, float eta_ratio) {
+  // #region exercise 5.1: Fresnel reflectance
+  // #stub return 0;
   const float sin2_o = std::max(0.0f, 1 - cos_o * cos_o);
   const float sin2_i = eta_ratio * eta_ratio * sin2_o;
   if (sin2_i >= 1) return 1;
@@ -61,23 +103,36 @@ inline float fresnel_reflectance(float cos_o, float eta_ratio) {
   const float r_s = (eta_ratio * cos_o - cos_i) / (eta_ratio * cos_o + cos_i);
   const float r_p = (cos_o - eta_ratio * cos_i) / (cos_o + eta_ratio * cos_i);
   return (r_s * r_s + r_p * r_p) / 2;
+  // #endregion
 }
 // #endregion fresnel
 
-// ![](fresnel-or-fixed)
-
 // ## Where on the surface
 //
-// A picture that is wrapped around a shape needs two coordinates on it, $u$
-// along its lower edge and $v$ upwards, both from 0 to 1.
+// An image that is wrapped around a shape is a *texture*. In a scene file it
+// stands where a number could stand:
 //
-// - A rectangle has them by its edges, and so has a triangle.
-// - A plane has no edges. There $v$ runs upwards, which is +y along a wall
-//   and +z along a floor or a ceiling, and $u$ to the right of somebody who
-//   stands before the wall, on the side of its normal. One picture a unit.
-// - A sphere is a globe with its poles up and down: $u$ is the longitude,
-//   with the middle of the picture towards -z, where the lab's camera stands,
-//   and $v$ is the latitude.
+//     marble = { kd = { image = "textures/marble.png" } }
+//
+// To look up a color we need two coordinates on the shape: $u$ to the right
+// and $v$ upwards in the image, each from 0 to 1.
+//
+// ![](uv)
+//
+// - A *rectangle* and a *triangle* have them along their edges.
+// - A *plane* has no edges. There $v$ runs up: +y on a wall, +z on a floor or
+//   a ceiling. Then $u$ runs to the right of somebody who stands in front of
+//   the wall. One image covers one unit.
+// - A *sphere* is a globe, with its poles up and down. The longitude gives
+//   $u$, and the middle of the image looks to -z, where the lab's camera
+//   stands. The latitude gives $v$, from the south pole to the north pole.
+//
+// For the sphere write two lines. With the unit normal $n$ the longitude is
+// the angle of $(n_x, -n_z)$, `std::atan2(n.x, -n.z)`, from $-\pi$ to $\pi$.
+// It becomes $u = 0.5 + \text{longitude}/2\pi$. The angle from the south pole
+// is $\arccos(-n_y)$, and divided by $\pi$ it is $v$. Rounding may make
+// $-n_y$ slightly larger than 1, so clamp it: `glm::clamp(-n.y, -1.0f,
+// 1.0f)`.
 
 // #region texture-coordinates
 /// (u, v) on a plane with this unit normal.
@@ -96,10 +151,13 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
     case ShapeType::plane:
       return plane_coordinates(hit.normal, hit.position);
     case ShapeType::sphere: {
+      // #region exercise 5.2: coordinates on a sphere
+      // #stub return Vec2(0);
       const Vec3& n = hit.normal;
       const float longitude = std::atan2(n.x, -n.z);
       const float from_south = std::acos(glm::clamp(-n.y, -1.0f, 1.0f));
       return {0.5f + longitude / two_pi, from_south / pi};
+      // #endregion
     }
     case ShapeType::rectangle:
       return shapes.rectangles()[hit.shape_index].coordinates(hit.position);
@@ -109,17 +167,37 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 }
 // #endregion texture-coordinates
 
-// ## Reading a picture
+// ![](globe-mistakes)
 //
-// Pixels have their color at their center, half a pixel from the edge.
-// Between four centers it is mixed in proportion (bilinear). Beyond the edge
-// the picture repeats, which also closes the seam of the globe, where $u$
-// jumps from 1 to 0. Over the poles it must not: the north would shine
-// through in the south.
+// ## Reading an image
 //
-// The file's bytes are not proportional to light: by the sRGB curve, byte 188
-// is half as bright as 255. Decode each before mixing. Forget it, and every
+// A pixel of a texture is a *texel*. Its color is the color at its *center*,
+// half a texel from the edge. Between four centers the color is mixed in
+// proportion: *bilinear interpolation*.
+//
+// ![](bilinear)
+//
+// The point is at $x = u \cdot \text{width} - 0.5$ and $y = (1 - v) \cdot
+// \text{height} - 0.5$, counted in texels from the center of the first one.
+// The $1 - v$ is there because row 0 of an image is at the top. The whole
+// part of $x$ is the column on the left, the rest is the weight of the column
+// on the right. The same for rows.
+//
+// Beyond the edge the image repeats. This also closes the seam of the globe,
+// where $u$ jumps from 1 to 0. Over the poles it must not repeat, or the
+// north would shine through in the south: there $y$ is clamped.
+//
+// The numbers in the file are not proportional to light. They are encoded by
+// the *sRGB* curve: byte 188 is half as bright as 255. Each texel must be
+// decoded before anything is mixed. `texel` does that. Forget it, and every
 // texture looks pale.
+//
+// ![](texture-mistakes)
+//
+// Given is `texel`, which decodes and repeats columns and rows. Write
+// `image_color`: first $x$ from the fraction of $u$, `uv.x -
+// std::floor(uv.x)`, then $y$, the whole parts with `std::floor`, and three
+// times `glm::mix(a, b, weight)`.
 
 // #region image
 /// The texel's color, linear, 0 to 1. Columns and rows repeat.
@@ -137,6 +215,8 @@ inline Vec3 texel(const Texture& texture, int column, int row) {
 /// edge. `has_poles` keeps v from repeating.
 inline Vec3 image_color(const Texture& texture, const Vec2& uv,
                         bool has_poles) {
+  // #region exercise 5.3: reading an image
+  // #stub return Vec3(0);
   const auto width = static_cast<float>(texture.width);
   const auto height = static_cast<float>(texture.height);
   const float x = (uv.x - std::floor(uv.x)) * width - 0.5f;
@@ -150,41 +230,61 @@ inline Vec3 image_color(const Texture& texture, const Vec2& uv,
   const Vec3 lower = glm::mix(texel(texture, column, row + 1),
                               texel(texture, column + 1, row + 1), x - left);
   return glm::mix(upper, lower, y - top);
+  // #endregion
 }
 // #endregion image
 
-// ![](globe)
-
-// ## Patterns without a picture
+// ## Patterns without an image
 //
-// A checkerboard needs no file: count the squares, and odd ones have the
-// other color. Counted over $(u, v)$ the squares follow the surface; counted
-// over the position $x$ they are cubes that the surface is carved from. A
-// floor at a whole number would lie just between two layers of cubes, and
-// rounding would pick one by chance, so the cubes are read a little below the
-// surface.
+// A checkerboard needs no file.
 //
-// The last pattern depends on the view. Schlick's curve goes from the color
-// that a surface has when seen squarely to the one at grazing angles
-// ("An Inexpensive BRDF Model", Computer Graphics Forum 13(3), 1994):
+//     tiles = { kd = { checker = [0.8, 0.1], scale = 4 } }
+//
+// Count the squares, and every odd one gets the second color. The number of a
+// square is `glm::floor` of its coordinates, and a square is odd if the sum
+// of its numbers is. There are negative numbers, too. So do not use `%`: a
+// number $s$ is odd if $s - 2\lfloor s/2 \rfloor$ is not 0.
+//
+// With `over = "position"` the squares become cubes, from which the shape
+// seems to be carved. A floor at a whole number lies just between two layers
+// of cubes, and rounding would pick one by chance. So the cubes are read a
+// little below the surface.
+//
+// ![](checker-mistakes)
+//
+// The last pattern depends on the view.
+//
+//     satin = { kd = 0.3, ks = { schlick = [0.04, 0.6] } }
+//
+// *Schlick's approximation* goes from the color $k_0$ that is seen straight
+// on to the color $k_{90}$ at grazing angles ("An Inexpensive BRDF Model",
+// Computer Graphics Forum 13(3), 1994):
 //
 // $$k(\theta) = k_0 + (k_{90} - k_0)(1 - \cos\theta)^5$$
 //
-// It follows Fresnel's $F$ closely, and works for metals and for varnish,
-// which have no single index.
+// From outside it is close to $F$, and it needs no index. This is handy for
+// varnish, of which nobody knows it, and for metals, whose index is a complex
+// number for each color. From inside it is wrong: for glass at 41 degrees $F$
+// is 0.38, and Schlick's formula says 0.04.
 
 // #region patterns
 /// Whether the square or cube with these coordinates is an odd one.
 inline bool is_odd(const Vec3& x) {
+  // #region exercise 5.4: checkerboards
+  // #stub return false;
   const Vec3 cell = glm::floor(x);
   const float sum = cell.x + cell.y + cell.z;
   return sum - 2 * std::floor(sum / 2) != 0;
+  // #endregion
 }
 
 inline Vec3 schlick(const Vec3& squarely, const Vec3& grazing,
                     float cos_theta) {
+  // #region exercise 5.5: Schlick's approximation
+  // #stub return squarely;
   const float x = 1 - cos_theta;
   return squarely + (grazing - squarely) * (x * x * x * x * x);
+  // #endregion
 }
 
 /// What a pattern is at `hit`, seen from `wo`.
@@ -212,21 +312,62 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
 }
 // #endregion patterns
 
-// ![](floor)
-
 // ## The material, here and from there
 //
-// With `fresnel`, what is reflected is taken from what goes through: $k_s$
-// becomes $F k_s$, and $k_t$ becomes $(1 - F) k_t$. Both of them 1 is ideal
-// glass, which loses nothing. The event probabilities are computed from the
-// modulated values, so $F$ decides how often a path is reflected, and cancels
-// in its weight: glass seen squarely refracts 96 paths of 100, and each of
-// them counts in full.
+// `material_at` returns a copy of the hit's material with the coefficients
+// that it has here. Where `varying_kd` is not null, `coefficient_at` replaces
+// `kd`, and so on.
+//
+// With `fresnel = true` the light is shared out: $k_s$ becomes $F k_s$, and
+// $k_t$ becomes $(1 - F)\,k_t$. Ideal glass has both equal to 1, and loses
+// nothing. Beware of $k_t = 1$ without $k_s$: then what is reflected is lost,
+// and total internal reflection is black.
+//
+// ![](fresnel-mistakes)
+//
+// Stage 4 draws the event by these new coefficients. So $F$ decides how
+// *often* a path is reflected, and cancels in its weight. Here are two paths
+// to the same pixel. The first is among the 96 of 100 that are refracted. It
+// counts in full: $1/2.25$ where it enters, and 2.25 where it leaves.
+//
+//     $ build/stage5 scenes/fresnel_glass.toml --pixel 80,190 --sample 0
+//     ...
+//     vertex 0: sphere[0] of 'fresnel', bounce 0
+//     ...
+//       ks         (   0.040,    0.040,    0.040)
+//       kt         (   0.960,    0.960,    0.960)
+//     ...
+//       weight     (   0.444,    0.444,    0.444)
+//     ...
+//     vertex 1: sphere[0] of 'fresnel', bounce 1
+//     ...
+//       weight     (    2.25,     2.25,     2.25)
+//     ...
+//     vertex 2: plane[4] of 'white', bounce 2
+//     ...
+//       throughput (       1,        1,        1)
+//     ...
+//
+// The second is among the 4 that are reflected. Its weight is 1.
+//
+//     $ build/stage5 scenes/fresnel_glass.toml --pixel 80,190 --sample 5
+//     ...
+//     vertex 0: sphere[0] of 'fresnel', bounce 0
+//     ...
+//       weight     (       1,        1,        1)
+//     ...
+//     vertex 1: plane[1] of 'green', bounce 1
+//     ...
+//
+// For $F$, `Surface(hit, m, wo)` has the normal on the side of `wo`, and
+// `relative_eta` of stage 3 takes it as it is.
 
 // #region material-at
 /// The material with the coefficients that it has at `hit`, seen from `wo`.
 inline Material material_at(const Scene& scene, const Hit& hit,
                             const Vec3& wo) {
+  // #region exercise 5.6: the material here
+  // #stub return *hit.material;
   Material m = *hit.material;
   if (m.varying_kd) m.kd = coefficient_at(*m.varying_kd, scene, hit, wo);
   if (m.varying_ks) m.ks = coefficient_at(*m.varying_ks, scene, hit, wo);
@@ -239,12 +380,13 @@ inline Material material_at(const Scene& scene, const Hit& hit,
     m.kt *= 1 - f;
   }
   return m;
+  // #endregion
 }
 // #endregion material-at
 
 // ## The path
 //
-// Stage 4's loop, and one line of it is new: the material.
+// Stage 4's loop, with one new line: the material.
 
 // #region path
 class PathTracer {
@@ -302,4 +444,15 @@ class PathTracer {
 };
 // #endregion path
 
+// Paint the three scenes of this chapter, and then one of your own:
+//
+//     build/stage5 scenes/checkered_floor.toml -o floor.png
+//     build/stage5 scenes/textured_globe.toml -o globe.png
+//     build/stage5 scenes/fresnel_glass.toml -o glass.png
+//
+// What remains? A whole field. Rough metals and cloth, light that is sampled
+// by its power, fog, fast trees for millions of triangles. All of them are
+// more ways to draw a direction and to divide by its density. You can read
+// about them now.
+//
 }  // namespace lightwalk::stage5
