@@ -71,11 +71,10 @@ namespace lightwalk::stage1 {
 // = f_r \int_\Omega \cos\theta\,d\omega = f_r\,\pi
 // \quad\Rightarrow\quad f_r = \frac{k_d}{\pi}$$
 //
-// Why is the last integral $\pi$? Look straight down on the hemisphere, of
-// radius
-// 1. A small patch $d\omega$ on it is seen foreshortened, with the area
-//    $\cos\theta\,d\omega$ on the ground. All patches together cover the
-//    disk, and the area of the disk is $\pi$.
+// Why is the last integral $\pi$? Look straight down on the hemisphere. Its
+// radius is 1. A small patch $d\omega$ on it is seen foreshortened, with the
+// area $\cos\theta\,d\omega$ on the ground. All patches together cover the
+// disk, and the area of the disk is $\pi$.
 //
 // ![](disk)
 //
@@ -153,10 +152,10 @@ inline Vec3 evaluate(const Material& material) {
 // **Inversion.** The random numbers $\xi$ are uniform in $[0, 1)$. To draw
 // $\theta$ with a density $p(\theta)$, first sum the density up: the
 // *cumulative distribution function* (CDF) $P(\theta) = \int_0^\theta
-// p(t)\,dt$ is the probability of an angle below $\theta$. It grows from 0 to
-// 1. Draw a height $\xi$, and read off the angle where the curve has this
-// height: $\theta = P^{-1}(\xi)$. Where the curve is steep, many heights lead
-// to nearly the same angle, and there the density is large.
+// p(t)\,dt$ is the probability of an angle below $\theta$. It grows from 0
+// to 1. Draw a height $\xi$, and read off the angle where the curve has this
+// height: $\theta = P^{-1}(\xi)$. Where the curve is steep, many heights
+// lead to nearly the same angle, and there the density is large.
 //
 // ![](inversion)
 //
@@ -213,9 +212,9 @@ inline float uniform_hemisphere_pdf() {
 // count for little. Draw fewer of them, with $p(\omega) = \cos\theta/\pi$. In
 // angles $p(\theta) = 2\sin\theta\cos\theta$, and
 //
-// $$P(\theta) = \int_0^\theta 2 \sin t \cos t\,dt = \sin^2\theta = \xi
-// \quad\Rightarrow\quad \sin\theta = \sqrt{\xi},\quad
-// \cos\theta = \sqrt{1 - \xi}$$
+// $$P(\theta) = \int_0^\theta 2 \sin t \cos t\,dt = \sin^2\theta = \xi$$
+//
+// $$\sin\theta = \sqrt{\xi},\qquad \cos\theta = \sqrt{1 - \xi}$$
 //
 // This is the slide's $\theta = \arccos\sqrt{1 - \xi}$.
 //
@@ -372,8 +371,8 @@ inline Vec3 emitted(const Surface& surface) {
 //
 // A ray that leaves a surface must not hit the same surface again. Its origin
 // is rounded, so it may lie a little *below* the surface. Then the wall
-// shades itself in dark spots, the famous *shadow acne*. `spawn_ray(hit,
-// direction)` makes a ray that knows which surface it leaves.
+// shades itself, in dark spots all over, the famous *shadow acne*.
+// `spawn_ray(hit, direction)` makes a ray that knows which surface it leaves.
 //
 // ![](acne)
 //

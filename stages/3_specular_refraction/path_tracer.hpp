@@ -327,9 +327,9 @@ inline constexpr int most_bounces = 64;
 // #endregion branch
 
 // What does the tree cost? With two lobes at every hit there are $2^n$ rays
-// of the $n$-th bounce. Together with the camera's ray that is $1 + 2 + \dots
-// + 2^n = 2^{n+1} - 1$. Each surface but those of the last bounce also sends
-// a shadow ray: $2^n - 1$ of them, with one light. In all
+// of the $n$-th bounce. Together with the camera's ray that is $1 + 2 +
+// \dots + 2^n = 2^{n+1} - 1$. Each surface but those of the last bounce also
+// sends a shadow ray: $2^n - 1$ of them, with one light. In all
 //
 // $$3 \cdot 2^n - 2$$
 //

@@ -139,7 +139,7 @@ def snell():
             out = math.degrees(math.asin(min(sine, 1)))
             yield ray(x, y, out if out < 89 else 90, 80, WARM)
             yield text(
-                *polar(x + 6, y - 10 if out > 89 else y, min(out, 84), 64 if out > 89 else 88), "w_i", WARM
+                *polar(x + 6, y - 10 if out > 89 else y, min(out, 84), 64 if out > 89 else 88), "w_t", WARM
             )
         else:
             yield text(x + 36, y - 40, "none", WARM)
@@ -157,7 +157,7 @@ def bar(y, parts, end):
         yield (f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="40" fill="{color}" stroke="{PAPER}"/>')
         yield text(x + width / 2, y + 25, name, PAPER, size=13)
         x += width
-    yield line(30 + 440 * end, y - 8, 30 + 440 * end, y + 48, INK, 1.5)
+    yield line(30 + 440 * end, y - 8, 30 + 440 * end, y + 44, INK, 1.5)
 
 
 def events(y, last="absorbed"):
@@ -171,8 +171,8 @@ def events(y, last="absorbed"):
         ),
         1,
     )
-    yield text(30, y + 60, "0", anchor="middle")
-    yield text(470, y + 60, "1", anchor="middle")
+    yield text(30, y + 64, "0", anchor="middle")
+    yield text(470, y + 64, "1", anchor="middle")
 
 
 def overfull(y):

@@ -9,6 +9,7 @@ from tools.weave.drawing import (
     GREEN,
     INK,
     LAMP,
+    RED,
     SAND,
     SOFT,
     WARM,
@@ -69,7 +70,7 @@ def disk():
     yield text(x + 128, y + 66, "cos θ dω", WARM, "middle", "italic")
     yield line(x + 132, y + 48, x + 132, y + 8, WARM, 1.2, True)
     yield text(x - 96, y + 74, "all of the disk: π", INK)
-    yield text(x + 60, y - r - 10, "near the normal: nearly dω", GREEN, "start", size=13)
+    yield text(x + 52, y - r - 12, "nearly dω", GREEN, "start")
 
 
 @diagram("four-numbers", 520, 290)
@@ -117,7 +118,7 @@ def inversion():
     yield text(260, 314, "equal steps of ξ: steep curve, dense angles", INK)
 
 
-@diagram("three-hemispheres", 560, 270)
+@diagram("three-hemispheres", 560, 190)
 def three_hemispheres():
     """Directions from the side: theta uniform, solid angle uniform, cosine."""
     drawn = random.Random(3)
@@ -128,7 +129,7 @@ def three_hemispheres():
         ("cosine", lambda u: math.sqrt(1 - u)),
     )
     for i, (name, cosine) in enumerate(ways):
-        x, y, r = 95 + 185 * i, 200, 84
+        x, y, r = 95 + 185 * i, 116, 84
         yield f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" fill="{SAND}" stroke="{SOFT}"/>'
         yield f'<ellipse cx="{x}" cy="{y}" rx="{r}" ry="24" fill="{SAND}" stroke="{SOFT}"/>'
         points = []
@@ -162,3 +163,18 @@ def malley():
         yield circle(x + r * s, y, 2.5, WARM)
         yield circle(x + r * s, y - r * math.sqrt(1 - s * s), 2.5, WARM)
     yield text(x, 274, "lifted to the hemisphere")
+
+
+@diagram("acne", 520, 230)
+def acne():
+    """A ray whose origin was rounded to below the surface."""
+    for x, depth, name in ((130, 0, "on the surface"), (390, 26, "rounded to below it")):
+        y = 140
+        yield from hatched(x - 110, y, x + 110, y)
+        yield dashed(x - 104, 40, x - 30, y + depth - 4, COOL)
+        yield from arrow(x - 30, y + depth, *polar(x - 30, y + depth, 62, 64 if depth else 120), "", WARM)
+        yield circle(x - 30, y + depth, 4.5)
+        if depth:
+            yield circle(x - 30 + depth * math.tan(math.radians(62)), y, 6, "none", RED)
+            yield text(x + 34, y - 16, "hit again", RED, "start")
+        yield text(x, 214, name)

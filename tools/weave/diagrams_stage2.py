@@ -42,7 +42,7 @@ def split():
     yield from arrow(x, y, *polar(x, y, (first + last) / 2, 190), "", WARM)
     yield from arrow(x, y, *polar(x, y, 66, 200), "", COOL)
     yield circle(480, y - 240 / math.tan(math.radians(66)), 4, COOL)
-    yield text(470, 196, "wall: L_s", COOL, "end")
+    yield text(470, 236, "wall: L_s", COOL, "end")
     yield text(52, 110, "direct: to the lamp", WARM, "start")
     yield text(52, 136, "indirect: all others", COOL, "start")
     yield circle(x, y, 4.5)

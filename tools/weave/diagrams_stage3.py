@@ -50,7 +50,7 @@ def refraction_parts():
     b = math.degrees(math.asin(math.sin(math.radians(a)) / 1.5))
     yield f'<path d="M60 {y} H460 V320 H60z" fill="{GLASS}"/>'
     yield line(60, y, 460, y, COOL, 2)
-    yield dashed(x, y - 150, x, y + 146)
+    yield dashed(x, y, x, y + 146)
     yield from arrow(x, y, x, y - 118, "n")
     up, down = polar(x, y, -a, r), polar(x, y, 180 - b, r)
     yield from arrow(x, y, *up, "w_o", COOL, 2.4)
@@ -62,8 +62,8 @@ def refraction_parts():
     yield text(x - 12, y + 96, "cos t_i", WARM, "end")
     yield from angle(x, y, -a, 0, 44, "t_o")
     yield from angle(x, y, 180, 180 - b, 52, "t_i")
-    yield text(452, y - 12, "η_o", SOFT, "end")
-    yield text(452, y + 30, "η_i", SOFT, "end")
+    yield text(452, y - 12, "e_o", SOFT, "end")
+    yield text(452, y + 30, "e_i", SOFT, "end")
     yield circle(x, y, 4)
 
 
@@ -83,7 +83,7 @@ def critical_cone():
         yield line(x, y, *polar(x, y, 180 + within, r - 8), WARM, 1.4, True)
     yield from angle(x, y, 180, 180 - critical, 72, "", INK)
     yield text(x + 128, y + 84, "41.8°")
-    yield text(x + 150, 60, "cosine-weighted: π", INK, "start", size=13)
+    yield text(x + 140, 80, "π", INK, "start")
     yield text(x + 128, y + 122, "π/2.25", INK, "start")
     yield text(78, y - 12, "air", SOFT, "start")
     yield text(78, y + 28, "glass", SOFT, "start")
@@ -97,5 +97,5 @@ def tree_of_rays():
     yield from tree(250, 40, 400, ("", [node, node]), 66)
     for level in range(4):
         yield text(500, 45 + 66 * level, str(2**level), WARM, "end")
-    yield text(330, 36, "rays of bounce 0, 1, 2, 3:", SOFT, "start", size=13)
+    yield text(500, 20, "rays", SOFT, "end")
     yield text(250, 282, "all but the last row send a shadow ray, too", INK)
