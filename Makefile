@@ -6,7 +6,8 @@
 SEEDS ?= 200
 SECONDS ?= 60
 FUZZ_SECONDS := $(value SECONDS)# a shell may count its own SECONDS
-typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS FUZZ_SECONDS
+typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS FUZZ_SECONDS \
+  STAGE OUT INTO SOLUTIONS
 $(foreach name,$(typed),$(eval override $(name) := $$(value $(name))))
 export $(typed)
 
@@ -35,7 +36,7 @@ scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers mistakes goldens \
   signatures mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
-  format clean $(stages) $(addprefix test-,$(stages))
+  format clean check watch hint handout handouts $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
 # Where the Python programs look for what was built.
@@ -55,6 +56,12 @@ help:
 	@echo "make test-$(firstword $(stages))   run the tests of one stage"
 	@echo "make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml"
 	@echo "                   render and compare two stages, images or programs"
+	@echo "make check         what a student sees: exercise by exercise (STAGE=2)"
+	@echo "make handout STAGE=3 OUT=folder"
+	@echo "                   what students get: stage 3 open, nothing later (SOLUTIONS=none)"
+	@echo "make handout STAGE=4 INTO=folder"
+	@echo "                   the next stage, into a folder that a student works in"
+	@echo "make handouts      prove all handouts, from open to solved"
 	@echo "make goldens       remake the golden images of the tests"
 	@echo "make signatures    remake what failing goldens are compared with"
 	@echo "make null-test     how often do the goldens reject a right program?"
@@ -97,6 +104,21 @@ $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
 	@cmake --build $(BUILD) -j $(JOBS) --target $*_header
 	@cmake --build $(BUILD) -j $(JOBS) --target $*_tests
 	@cd $(BUILD) && ./run_suite ./$*_tests
+
+# The exercises of a stage, in the chapter's order, and the first that is not
+# done explained. STAGE is the newest one if it is not given.
+check watch hint: setup $(BUILD)/CMakeCache.txt
+	@set -f; python3 -m tools.exercises.check $$STAGE $(if $(filter-out check,$@),--$@)
+
+# STAGE=3 OUT=folder, or STAGE=4 INTO=folder. SOLUTIONS=none opens the
+# exercises of the stages before, too.
+handout: setup
+	@python3 -m tools.handout.handout "$$STAGE" $(if $(OUT),--out "$$OUT") \
+	  $(if $(INTO),--into "$$INTO") $(if $(SOLUTIONS),--solutions "$$SOLUTIONS")
+
+# Five to ten minutes.
+handouts: setup
+	@python3 -m tools.handout.prove
 
 # make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml OPTIONS="--spp 64": A and
 # B may be stages, images, or programs. Exit code 1 where they differ.

@@ -84,7 +84,7 @@ TEST_CASE("a floor has no dark spots where rays hit it again") {
   Random random(1, 0, 0);
   EachOrMean floor(0.8 * 2, 1e-5), round(0.8, 1e-5);
   for (int i = 0; i < 10'000; ++i) {
-    const Vec2 u = random.uniform_2d();
+    const Vec2 u(random.uniform_2d());
     const Vec3 aside = 5000 * (u.x - 0.5f) * Vec3(0.8f, -0.64f, 0) +
                        5000 * (u.y - 0.5f) * Vec3(0, -0.64f, 0.6f);
     const Ray ray{-9500.0f * normal + aside, -normal};

@@ -67,7 +67,7 @@ TEST_CASE("the simplified weights are f cos / p") {
   const Surface surface(hit, material, hit.normal);
   Random random(4, 0, 0);
   for (int i = 0; i < 1000; ++i) {
-    const Vec2 u = random.uniform_2d();
+    const Vec2 u(random.uniform_2d());
     for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
       const std::string formula =
           sampling == Sampling::uniform

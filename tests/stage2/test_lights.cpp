@@ -113,7 +113,7 @@ TEST_CASE("the direction to a lamp's point has unit length and leads there") {
   const Vec3 x(0.5f, -1, 2);
   Random random(5, 0, 0);
   for (int i = 0; i < 1000; ++i) {
-    const Vec2 u = random.uniform_2d();
+    const Vec2 u(random.uniform_2d());
     for (const LightSample& one :
          {sample_light(slanted, x, u), sample_light(ball, x, u),
           sample_light(point, x, u)}) {
@@ -229,7 +229,7 @@ TEST_CASE("no lamp is in its own way") {
   for (int i = 0; i < 20'000; ++i) {
     const Vec2 a = random.uniform_2d(), u = random.uniform_2d();
     const Vec3 x(100 * a.x - 50, 100 * a.y - 50, 100 * random.uniform());
-    for (const Light& light : scene.lights) {
+    for (const auto& light : scene.lights) {
       const LightSample one = sample_light(light, x, u);
       if (is_black(one.weight)) continue;
       ++facing;

@@ -80,7 +80,7 @@ void for_each_place(Test test) {
   for (const float away : {0.0f, 1.0f, 100.0f}) {
     for (int i = 0; i < 8; ++i) {
       const auto direction = [&] {
-        const Vec2 u = random.uniform_2d();
+        const Vec2 u(random.uniform_2d());
         const float z = 2 * u.x - 1, r = std::sqrt(1 - z * z);
         return Vec3(r * std::cos(two_pi * u.y), r * std::sin(two_pi * u.y),
                     z);

@@ -13,7 +13,7 @@ using namespace lightwalk::tests;
 namespace {
 
 Vec3 any_direction(Random& random) {
-  const Vec2 u = random.uniform_2d();
+  const Vec2 u(random.uniform_2d());
   const float z = 2 * u.x - 1, r = std::sqrt(1 - z * z);
   return {r * std::cos(two_pi * u.y), r * std::sin(two_pi * u.y), z};
 }

@@ -74,7 +74,7 @@ TEST_CASE("a lit wall has no dark spots where it shades itself") {
   const PathTracer tracer(scene, bounces(8));
   Random random(1, 0, 0);
   for (int i = 0; i < 10'000; ++i) {
-    const Vec2 u = random.uniform_2d();
+    const Vec2 u(random.uniform_2d());
     const Vec3 aside = 500 * (u.x - 0.5f) * Vec3(0.8f, -0.64f, 0) +
                        500 * (u.y - 0.5f) * Vec3(0, -0.64f, 0.6f);
     const Vec3 origin = -950.0f * normal + aside;
@@ -129,7 +129,7 @@ TEST_CASE("a point light in a ceiling is not shaded by it") {
   const PathTracer tracer(scene, bounces(1));
   Random random(1, 0, 0);
   for (int i = 0; i < 1000; ++i) {
-    const Vec2 u = random.uniform_2d();
+    const Vec2 u(random.uniform_2d());
     const Vec3 aside = (u.x - 0.5f) * Vec3(0.8f, -0.64f, 0) +
                        (u.y - 0.5f) * Vec3(0, -0.64f, 0.6f);
     const Vec3 origin = -999.5f * normal + aside;

@@ -94,7 +94,7 @@ TEST_CASE("the probabilities never add to more than the limit") {
     // Shares of each channel that add to 1.
     Vec3 k[3];
     for (int c = 0; c < 3; ++c) {
-      const Vec2 u = random.uniform_2d();
+      const Vec2 u(random.uniform_2d());
       k[0][c] = u.x;
       k[1][c] = (1 - u.x) * u.y;
       k[2][c] = (1 - u.x) * (1 - u.y);

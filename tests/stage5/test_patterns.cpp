@@ -380,7 +380,7 @@ TEST_CASE("a floor between two layers of cubes has no stray spots") {
                                    Vec3(0), 1, nullptr};
   Random random(1, 0, 0);
   for (int i = 0; i < 2000; ++i) {
-    const Vec2 u = random.uniform_2d();
+    const Vec2 u(random.uniform_2d());
     const Vec3 target(0.01f + 0.98f * u.x, -1, 2.01f + 0.98f * u.y);
     const auto hit = scene.nearest_hit(
         {{0, 0.3f, 0}, normalize(target - Vec3(0, 0.3f, 0))});

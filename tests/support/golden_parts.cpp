@@ -45,7 +45,7 @@ std::map<std::string, std::set<const Material*>> lamps_of(
   add("the spheres", scene.geometry.spheres());
   add("the rectangles", scene.geometry.rectangles());
   add("the triangles", scene.geometry.triangles());
-  for (const Light& light : scene.lights) {
+  for (const auto& light : scene.lights) {
     if (std::holds_alternative<PointLight>(light.form)) {
       lamps["the point lights"];
     }
@@ -210,7 +210,7 @@ PartsView view_of(const Golden& golden) {
     view.factors.push_back({n, "the number of lights"});
     view.factors.push_back({1 / n, "1 / the number of lights"});
   }
-  for (const Light& light : scene.lights) {
+  for (const auto& light : scene.lights) {
     if (const auto* lamp = std::get_if<RectangleLight>(&light.form)) {
       const double area =
           static_cast<double>(length(cross(lamp->edge_u, lamp->edge_v)));

@@ -21,7 +21,7 @@ inline std::vector<Vec3> test_normals(int count) {
                                {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
   Random random(99, 0, 0);
   while (count-- > 0) {
-    const Vec2 u = random.uniform_2d();
+    const Vec2 u(random.uniform_2d());
     const float z = 2 * u.x - 1;
     const float r = std::sqrt(1 - z * z);
     normals.push_back(
@@ -69,7 +69,7 @@ inline HemisphereCounts count_hemisphere(
   HemisphereCounts result;
   Random random(5, 0, 0);
   for (int i = 0; i < samples; ++i) {
-    const Vec2 u = random.uniform_2d();
+    const Vec2 u(random.uniform_2d());
     const Vec3 wi = sampler(normal, u);
     result.mean_cosine += static_cast<double>(dot(wi, normal)) / samples;
     const float turn = std::atan2(dot(wi, y), dot(wi, x)) / two_pi + 0.5f;

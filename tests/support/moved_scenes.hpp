@@ -60,7 +60,7 @@ inline Scene moved(const Scene& scene, const Motion& motion,
                          motion.scale * on_grid(one.edge_v),
                          result.add(*one.material)});
   }
-  for (const Light& light : scene.lights) {
+  for (const auto& light : scene.lights) {
     const auto* point = std::get_if<PointLight>(&light.form);
     if (!point) continue;  // a shape, which is there already
     result.add(PointLight{motion.position(on_grid(point->center)),

@@ -102,7 +102,7 @@ inline double mirrored_lamp_radiance() {
 /// A ray towards the thing from anywhere around it.
 inline Ray ray_at_thing(Random& random) {
   const auto point_on_sphere = [&] {
-    const Vec2 u = random.uniform_2d();
+    const Vec2 u(random.uniform_2d());
     const float z = 2 * u.x - 1;
     const float r = std::sqrt(std::max(0.0f, 1 - z * z));
     return Vec3(r * std::cos(two_pi * u.y), r * std::sin(two_pi * u.y), z);

@@ -14,6 +14,7 @@ import argparse
 import hashlib
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -124,16 +125,19 @@ def add_to(stage, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("stage", type=int)
+    parser.add_argument("stage")
     parser.add_argument("--out", type=Path, help="a folder that is not there yet, or empty")
     parser.add_argument("--into", type=Path, help="a folder that a student works in")
     parser.add_argument("--solutions", choices=["previous", "none"], default="previous")
     options = parser.parse_args()
+    if not re.fullmatch("[1-9]", options.stage):
+        raise Failure(f"the stage is {options.stage!r}, and a number is expected: STAGE=3")
     if (options.out is None) == (options.into is None):
-        raise Failure("either --out or --into says where")
+        raise Failure("either --out (OUT=folder) or --into (INTO=folder) says where")
+    stage = int(options.stage)
     if options.into:
-        return add_to(options.stage, options.into.absolute())
-    return make_new(options.stage, options.solutions, options.out.absolute())
+        return add_to(stage, options.into.absolute())
+    return make_new(stage, options.solutions, options.out.absolute())
 
 
 if __name__ == "__main__":
