@@ -96,8 +96,7 @@ def bilinear():
         for row in range(2):
             yield circle(left + size * column, top + size * row, 4)
     yield circle(px, py, 5.5, WARM)
-    yield text(310, 66, "The point is 0.3 to the right", INK, "start")
-    yield text(310, 90, "and 0.6 down. Weights:", INK, "start")
+    yield text(310, 66, "0.3 to the right, 0.6 down:", INK, "start")
     weights = ("0.7 · 0.4 = 0.28", "0.3 · 0.4 = 0.12", "0.7 · 0.6 = 0.42", "0.3 · 0.6 = 0.18")
     for place, weight in enumerate(weights):
         yield text(310, 130 + 26 * place, weight, WARM, "start")
