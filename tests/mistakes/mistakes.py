@@ -301,6 +301,21 @@ def run_suite(program, named=""):
     return failed_tests(report), end, noted_noise(report)
 
 
+def build_with(header, suite, given, folder):
+    """The suite's program, in the folder, with this text as its header."""
+    overlay = folder / suite.header.relative_to(ROOT)
+    overlay.parent.mkdir(parents=True, exist_ok=True)
+    overlay.write_text(header)
+    source, target = folder / "suite.cpp", folder / "suite.o"
+    source.write_text(suite.whole_source())
+    run(suite.compile_command(source, target, [f"-I{folder}", "-include", str(given)]), "does not compile")
+    program = folder / suite.target
+    place = suite.link.index("-o")
+    run(suite.link[:place] + [str(target), "-o", str(program)] + suite.link[place + 2 :], "does not link")
+    target.unlink()
+    return program
+
+
 def try_mistake(mistake, suite, given, folder, named_first=False):
     """Builds and runs a suite with a mistake in its stage's header.
 
@@ -319,19 +334,9 @@ def try_mistake(mistake, suite, given, folder, named_first=False):
         result = Result(**json.loads(saved.read_text()))
         if result.key == key or (named and result.key == key + named):
             return result
-    overlay = folder / suite.header.relative_to(ROOT)
-    overlay.parent.mkdir(parents=True, exist_ok=True)
-    overlay.write_text(header)
-    source, target = folder / "suite.cpp", folder / "suite.o"
-    source.write_text(suite.whole_source())
     result = Result(key, [], "", "")
     try:
-        run(
-            suite.compile_command(source, target, [f"-I{folder}", "-include", str(given)]), "does not compile"
-        )
-        program = folder / suite.target
-        place = suite.link.index("-o")
-        run(suite.link[:place] + [str(target), "-o", str(program)] + suite.link[place + 2 :], "does not link")
+        program = build_with(header, suite, given, folder)
         if named:
             result.caught, result.end, result.noise = run_suite(program, named)
         if result.caught:
@@ -339,7 +344,6 @@ def try_mistake(mistake, suite, given, folder, named_first=False):
         else:
             result.caught, result.end, result.noise = run_suite(program)
         program.unlink()
-        target.unlink()
     except Failure as failure:
         result.error = str(failure)
     saved.write_text(json.dumps(dataclasses.asdict(result), indent=1))
