@@ -344,8 +344,9 @@ inline constexpr int most_bounces = 64;
 // | counted | 4 | 10 | 45 | 760 | 12,200 |
 //
 // Most of those rays carry next to nothing. So the number of bounces must be
-// small, and then the picture is too dark. More than `most_bounces` would not
-// end in a lifetime, so that is the limit.
+// small, and then the picture is too dark. With two lobes at every hit, more
+// than `most_bounces` bounces would not end in a lifetime, so that is the
+// limit.
 //
 // ## The path
 //

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -66,7 +67,8 @@ void check_golden(int stage, const std::string& name) {
             ? "golden image " + name +
                   ": it cannot be judged, its variance "
                   "is " +
-                  std::to_string(static_cast<long long>(noise)) +
+                  (noise < 1e6 ? std::to_string(std::llround(noise))
+                               : std::string("more than a million")) +
                   " times the golden's"
             : explain(stage, golden, comparison, painter);
     FAIL_CHECK(why);

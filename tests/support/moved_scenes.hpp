@@ -103,7 +103,7 @@ inline void check_same_noise(const std::string& what, const Image& test,
                       << ": mean "
                       << std::string(
                              channel_names[static_cast<std::size_t>(channel)])
-                      << ' ' << a << " +- " << sigma << ", expected " << b
+                      << " " << a << " +- " << sigma << ", expected " << b
                       << " as unmoved, " << a / b << " times it");
       return;  // others say the same
     }
