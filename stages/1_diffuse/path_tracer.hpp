@@ -21,9 +21,9 @@
 // here to the camera, and $\omega_i$ to where light comes in. $\theta$ is the
 // angle between $n$ and $\omega_i$.
 //
-// All of them are unit vectors. In the code `wo` and `wi` are $\omega_o$ and
-// $\omega_i$. Both point *away* from the surface, whichever way the light
-// goes.
+// $n$, $\omega_o$ and $\omega_i$ are unit vectors. In the code `wo` and `wi`
+// are $\omega_o$ and $\omega_i$. Both point *away* from the surface,
+// whichever way the light goes.
 //
 // ## The rendering equation
 //
@@ -417,7 +417,7 @@ inline BsdfSample sample(const Surface& surface, Sampling sampling,
 // ![](lamp-front)
 
 // #region emitted
-/// Radiance that the surface emits towards `wo`.
+/// Radiance that the surface emits towards `surface.wo`.
 inline Vec3 emitted(const Surface& surface) {
   const bool front = dot(surface.hit.normal, surface.wo) > 0;
   return front ? surface.material.ke : Vec3(0);
@@ -463,11 +463,13 @@ inline Vec3 emitted(const Surface& surface) {
 //       throughput (       1,        1,        1)
 //     ...
 //       weight     (     0.8,      0.8,      0.8)
+//
 //     vertex 1: plane[0] of 'red', bounce 1
 //     ...
 //       throughput (     0.8,      0.8,      0.8)
 //     ...
 //       weight     (     0.8,      0.2,      0.2)
+//
 //     vertex 2: plane[3] of 'ceiling', bounce 2
 //     ...
 //       throughput (    0.64,     0.16,     0.16)
@@ -475,9 +477,21 @@ inline Vec3 emitted(const Surface& surface) {
 //     ...
 //     radiance of this sample = (0.64, 0.16, 0.16)
 //
-// Try other samples of this pixel. Sample 0 goes from the floor straight to
-// the ceiling and brings (0.8, 0.8, 0.8). Sample 6 meets no lamp within eight
-// bounces and brings nothing. The pixel gets the mean.
+// Other samples of the same pixel go other ways. One goes from the floor
+// straight to the ceiling. Another meets no lamp within eight bounces and
+// brings nothing. The pixel gets the mean of them all.
+//
+//     $ build/stage1 scenes/cornell_box_ceiling_diffuse.toml
+//     > --pixel 70,240 --sample 0
+//     ...
+//     vertex 1: plane[3] of 'ceiling', bounce 1
+//     ...
+//     radiance of this sample = (0.8, 0.8, 0.8)
+//     $ build/stage1 scenes/cornell_box_ceiling_diffuse.toml
+//     > --pixel 70,240 --sample 6
+//     ...
+//       ends       at the bound of 8 bounces
+//     radiance of this sample = (0, 0, 0)
 //
 // ### How many bounces?
 //
@@ -572,11 +586,11 @@ class PathTracer {
 //     build/stage1 scenes/cornell_box_ceiling_diffuse.toml -o box.png
 //
 // Then change one thing at a time: `--spp 4`, `--sampling uniform`,
-// `--max-bounces 1`. The figures above say what to expect.
+// `--max-bounces 1`. The figures above show what to expect.
 //
 // What remains? A path finds a lamp only by chance. The ceiling is large, so
 // it is found soon. A small lamp is found by few paths, and each of these
-// brings much: the picture is full of bright dots. Try
+// brings much: the picture is dark and full of bright dots. Try
 // `scenes/cornell_box_sphere_lamp_diffuse.toml`. Stage 2 mends it.
 //
 // ![](small-lamp)

@@ -2,6 +2,7 @@
 
 import math
 import random
+from itertools import pairwise
 
 from tools.weave.drawing import (
     COOL,
@@ -72,7 +73,7 @@ def grid_or_path():
     yield text(130, 272, "5, then 25, then 125 …", WARM)
     yield text(390, 26, "1 direction at each point")
     chain = ((390, 230), (440, 150), (350, 76))
-    for a, b in zip(chain, chain[1:]):
+    for a, b in pairwise(chain):
         yield line(*a, *b, COOL, 2.4)
         yield circle(*b, 3.5, COOL)
     yield circle(390, 230, 4.5)
@@ -147,7 +148,7 @@ def inversion():
     yield text(x0, y0 + 24, "0", SOFT)
     yield text(x0 + width, y0 + 24, "90°", SOFT)
     yield text(x0 - 10, y0 - height + 5, "1", SOFT, "end")
-    yield text(x0 + 70, y0 - height + 20, "P(θ) = 1 - cos θ", INK, "start")
+    yield text(x0 + 14, y0 - height - 10, "P(θ) = 1 − cos θ", INK, "start")
     yield text(260, 314, "equal steps of ξ: steep curve, dense angles", INK)
 
 
@@ -155,7 +156,9 @@ def lifted(x, y, r, sine, phi, tilt):
     """Where a direction of a hemisphere of radius r is seen, from so many
     degrees above its rim; 90 is from above."""
     cosine, lift = math.sqrt(max(0, 1 - sine * sine)), math.radians(tilt)
-    return x + r * sine * math.cos(phi), y + r * (sine * math.sin(phi) * math.sin(lift) - cosine * math.cos(lift))
+    return x + r * sine * math.cos(phi), y + r * (
+        sine * math.sin(phi) * math.sin(lift) - cosine * math.cos(lift)
+    )
 
 
 @diagram("three-hemispheres", 520, 400)
@@ -177,7 +180,9 @@ def three_hemispheres():
         yield f'<ellipse cx="{x}" cy="130" rx="{r}" ry="{flat:.1f}" fill="{SAND}" stroke="{SOFT}"/>'
         yield circle(x, 264, r, SAND, SOFT)
         directions = [(sine_of(u), 2 * math.pi * v) for u, v in pairs]
-        yield from dots([lifted(x, 130, r, s, phi, tilt) for s, phi in directions if math.sin(phi) > -0.2], WARM, 1.7)
+        yield from dots(
+            [lifted(x, 130, r, s, phi, tilt) for s, phi in directions if math.sin(phi) > -0.2], WARM, 1.7
+        )
         yield from dots([lifted(x, 264, r, s, phi, 90) for s, phi in directions], WARM, 1.7)
         yield text(x, 372, f"{sum(s < 0.5 for s, _ in directions) / len(directions):.0%}")
     yield text(260, 394, "of the directions are within 30° of the normal", SOFT)
