@@ -2,52 +2,85 @@
 
 // # Stage 1: diffuse surfaces
 //
-// A pixel shows one point of a wall. What color does it get? The light that
-// leaves this point towards the camera. That light was scattered by the wall,
-// so it came from somewhere else: from a lamp, or from another wall. How
-// bright the other wall is depends on *its* surroundings. A path tracer
-// follows this chain backwards, from the camera to a lamp, along one random
-// path. Then it takes another random path, and the mean of many is the
-// picture.
+// A room has a lamp and several walls. A pixel of the picture shows one point
+// of a wall. What color does the pixel get?
+//
+// It gets the light that leaves this point towards the camera. The wall has
+// no light of its own, so its light came from somewhere else. Some came
+// straight from the lamp. The rest came from other walls, and how bright they
+// are depends on *their* surroundings.
+//
+// A *path tracer* follows this chain backwards. It goes from the camera over
+// some walls to a lamp, along one random *path*. Then it takes another random
+// path. The mean of many paths is the color of the pixel.
 //
 // ![](wall-and-lamp)
 //
-// The amount of light along a ray is its *radiance*, in W/(m^2 sr): power per
-// area and per solid angle. Light here has three channels, red, green and
-// blue, so a radiance is a `Vec3`. The core makes the ray of a pixel
-// (`common/`); this chapter answers what radiance comes back along it.
+// The figure has the names of this book. $n$ is the *normal*, perpendicular
+// to the surface at the point $x$. $\omega_o$ points to where light goes out,
+// here to the camera, and $\omega_i$ to where light comes in. $\theta$ is the
+// angle between $n$ and $\omega_i$.
+//
+// $n$, $\omega_o$ and $\omega_i$ are unit vectors. In the code `wo` and `wi`
+// are $\omega_o$ and $\omega_i$. Both point *away* from the surface,
+// whichever way the light goes.
 //
 // ## The rendering equation
 //
-// The slide "Which color do we fill each pixel with?" has the answer in one
-// line. At a point $x$ of a surface, in the direction $\omega_o$ back to the
-// camera:
+// The amount of light along a ray is its *radiance* $L$: power per area and
+// per solid angle, in W/(m² sr). A *solid angle* measures a set of
+// directions. It is the area that they cover on a sphere of radius 1, in
+// *steradians* (sr). All of the hemisphere above a surface has $2\pi$.
+//
+// The *rendering equation* says which radiance leaves $x$ towards $\omega_o$
+// (slide "Which color do we fill each pixel with?"):
 //
 // $$L_o(x, \omega_o) = L_e(x, \omega_o) + \int_\Omega L_i(x, \omega_i)\,
 // f_r(x, \omega_i, \omega_o)\,|n \cdot \omega_i|\,d\omega_i$$
 //
-// - $L_o$ is the radiance that leaves $x$ towards $\omega_o$. It is asked
-//   for.
+// - $L_o$ is the radiance that goes out. It is what we want.
 // - $L_e$ is what the surface emits by itself. Only lamps have it.
 // - $L_i$ is the radiance that arrives at $x$ from the direction $\omega_i$.
 // - $f_r$ is the *BRDF*, the bidirectional reflectance distribution function.
-//   It says how much of $L_i$ is scattered towards $\omega_o$.
-// - $n$ is the normal, and $|n \cdot \omega_i| = \cos\theta$. Light that
-//   comes in at a slant is spread over more area.
-// - $\Omega$ is the hemisphere of directions above the surface.
+//   It says how much of the light from $\omega_i$ leaves towards $\omega_o$.
+// - $|n \cdot \omega_i|$ is $\cos\theta$. Light that comes in at a slant is
+//   spread over more area.
+// - The integral adds up the directions of the hemisphere $\Omega$ above the
+//   surface.
 //
-// In the code `wo` and `wi` are $\omega_o$ and $\omega_i$. Both point *away*
-// from the surface, whichever way the light goes.
+// ![](hemisphere)
 //
-// In clear air radiance does not change along a ray. So what arrives at $x$
-// from $\omega_i$ is what leaves the next surface $y$ in that direction,
-// backwards:
+// The equation holds for red, green and blue separately. So a radiance is a
+// `Vec3`, three numbers in the order RGB. The product of two `Vec3`
+// multiplies red by red, green by green and blue by blue.
+//
+// ## The equation contains itself
+//
+// Everything on the right is known but $L_i$. What arrives at $x$ from
+// $\omega_i$? Follow this direction to the next surface, to its point $y$. In
+// clear air radiance does not change along a ray. So what arrives at $x$ is
+// what has left $y$, in the opposite direction:
 //
 // $$L_i(x, \omega_i) = L_o(y, -\omega_i)$$
 //
-// This makes the equation recursive: $L_o$ at one wall needs $L_o$ at all the
-// others. The whole chapter follows from this line.
+// The equation is recursive: $L_o$ at $x$ needs $L_o$ at $y$, and that needs
+// $L_o$ at further points.
 //
+// The obvious way is to try, say, 100 directions at each surface. Then there
+// are 100 rays after one bounce, 10,000 after two, and $100^8 = 10^{16}$
+// after eight. Nobody can wait for that.
+//
+// So a path takes **one random direction at each surface**. A single path is
+// wrong, but the mean of many is right. The next sections say why, and how to
+// choose the direction.
+//
+// ![](grid-or-path)
+//
+// Who makes the first ray? The core does (`common/scene/camera.hpp`). For
+// each sample it takes a random point in the pixel, and the ray from the
+// camera through that point. This chapter answers what radiance comes back
+// along it.
+
 #include "common/math/basis.hpp"
 #include "common/math/random.hpp"
 #include "common/math/sine_cosine.hpp"
@@ -62,24 +95,32 @@ namespace lightwalk::stage1 {
 // A *diffuse* surface, such as chalk or a painted wall, scatters light
 // equally in all directions. So its BRDF is a constant. Which one?
 //
-// The material has an *albedo* $k_d$ for each channel: the fraction of the
-// power that it gives back, between 0 and 1. Suppose the same radiance $L_i =
-// 1$ arrives from every direction. Then the surface must send out $k_d$. Put
-// this into the equation:
+// The material has an *albedo* $k_d$ between 0 and 1, the fraction of the
+// power that it gives back. It is an RGB color too: the red wall has (0.8,
+// 0.2, 0.2).
+//
+// Suppose the same radiance $L_i = 1$ arrives from every direction. A white
+// surface with $k_d = 1$ then sends out radiance 1 in every direction, as
+// much as arrives. With any other albedo it sends out $k_d$. Put this into
+// the equation. The constant comes out of the integral:
 //
 // $$k_d = \int_\Omega 1 \cdot f_r \cos\theta\,d\omega
-// = f_r \int_\Omega \cos\theta\,d\omega = f_r\,\pi
-// \quad\Rightarrow\quad f_r = \frac{k_d}{\pi}$$
+// = f_r \int_\Omega \cos\theta\,d\omega = f_r\,\pi$$
 //
-// Why is the last integral $\pi$? Look straight down on the hemisphere. Its
-// radius is 1. A small patch $d\omega$ on it is seen foreshortened, with the
-// area $\cos\theta\,d\omega$ on the ground. All patches together cover the
-// disk, and the area of the disk is $\pi$.
+// Why is the last integral $\pi$? Take the hemisphere with radius 1, and a
+// small patch $d\omega$ on it. The patch is tilted by $\theta$, so its shadow
+// on the ground, straight below, has the area $\cos\theta\,d\omega$. All
+// shadows together cover a disk of radius 1 once, and its area is $\pi$.
 //
 // ![](disk)
 //
-// Without the division a wall scatters $\pi\,k_d$ times what it got. With
-// $k_d = 0.8$ that is 2.5 times, and every bounce makes more light.
+// So the BRDF is (slide "Diffuse and specular BRDFs")
+//
+// $$f_r = \frac{k_d}{\pi}$$
+//
+// A common mistake is $f_r = k_d$. The wall then gives back $\pi k_d$ of the
+// light it got. For $k_d = 0.8$ that is 2.5 times as much. Wherever $k_d$ is
+// above $1/\pi = 0.32$, each bounce makes light from nothing.
 //
 // ![](no-pi)
 //
@@ -98,36 +139,55 @@ inline Vec3 evaluate(const Material& material) {
 
 // ## Monte Carlo
 //
-// The integral has infinitely many directions. A ray can ask one. *Monte
-// Carlo integration* asks a few random ones and takes the mean. Say a random
-// number generator gives $x$ with the *probability density* $p(x)$, or *pdf*.
-// Then
+// The integral is over infinitely many directions, and a ray asks only one.
+// *Monte Carlo integration* asks a few random ones and takes the mean.
+//
+// Start in one dimension. The integral of $f(x) = 2x$ from 0 to 1 is 1. Draw
+// four uniform random numbers, say 0.1, 0.3, 0.6 and 0.9. There $f$ is 0.2,
+// 0.6, 1.2 and 1.8. The mean is 0.95, and 5 % too small. Four other numbers
+// would give another mean.
+//
+// How far off is one sample? The *variance* $\sigma^2$ is the mean of its
+// squared error. Here it is $\int_0^1 (2x - 1)^2\,dx = 1/3$. Its root is the
+// *standard deviation* $\sigma = 0.58$, a typical error. In a picture this
+// error is called *noise*.
+//
+// ![](four-numbers)
+//
+// How far off is the mean of $N$ samples? The variances of independent
+// numbers add up, so their sum has the variance $N\sigma^2$. The mean is the
+// sum divided by $N$, and that divides the variance by $N^2$:
+//
+// $$\frac{N\sigma^2}{N^2} = \frac{\sigma^2}{N},
+// \qquad\text{a standard deviation of } \frac{\sigma}{\sqrt N}$$
+//
+// For four numbers it is 0.29. To halve the noise, take four times the
+// samples. The option `--spp` says how many samples a pixel gets.
+//
+// ![](samples)
+//
+// ## Importance sampling
+//
+// Random numbers need not be uniform. The *probability density* $p(x)$, or
+// *pdf*, says how often $x$ is drawn: a number between $x$ and $x + dx$ has
+// the probability $p(x)\,dx$. Then the estimator is (slide "Approximating one
+// integral")
 //
 // $$\int_a^b f(x)\,dx \approx
 // \frac{1}{N} \sum_{i=1}^N \frac{f(x_i)}{p(x_i)}$$
 //
-// (slide "Approximating one integral"). The division by $p$ repairs the
-// choice: a value that is drawn twice as often counts half.
+// The division by $p$ repairs the choice: a value that is drawn twice as
+// often counts half. So the mean of $f/p$ is right, whatever $p$ is:
 //
-// An example in one dimension. The integral of $f(x) = 2x$ from 0 to 1 is 1.
-// Draw four uniform numbers, with $p = 1$: 0.1, 0.3, 0.6 and 0.9. Then $f/p$
-// is 0.2, 0.6, 1.2 and 1.8, and the mean is 0.95. Each number alone is far
-// off. How far, is the *variance*, the mean of the squared error. Here it is
-// $\int_0^1 (2x - 1)^2\,dx = 1/3$, so a typical error is $\sqrt{1/3} = 0.58$.
-// In a picture this error is the *noise*.
+// $$\int_a^b \frac{f(x)}{p(x)}\,p(x)\,dx = \int_a^b f(x)\,dx$$
 //
-// ![](four-numbers)
+// Such an estimator is called *unbiased*. The only condition is that $p$ is
+// above 0 wherever $f$ is.
 //
-// The variance of a mean of $N$ numbers is $N$ times smaller, and its root,
-// the error, $\sqrt N$ times: 0.29 for four numbers. So half the noise costs
-// four times the samples.
-//
-// ![](samples)
-//
-// Now draw $x$ with the density $p(x) = 2x$, in proportion to $f$. Every
-// single $f/p$ is 1. One sample is exact, and the variance is 0. Any density
-// gives the right mean if it is above 0 where $f$ is. A density that is like
-// $f$ needs fewer samples. This is *importance sampling*.
+// Now draw $x$ with the density $p(x) = 2x$, as in the right half of the
+// figure with the four numbers. Then $f/p$ is 1 for every sample. One sample
+// is exact, and the variance is 0. A density that is like $f$ needs fewer
+// samples. This is *importance sampling*.
 //
 // Over directions it is the same estimator:
 //
@@ -140,51 +200,59 @@ inline Vec3 evaluate(const Material& material) {
 // ## Drawing a direction
 //
 // A direction has two angles: $\theta$ from the normal, and $\phi$ around it.
-// The slide "Sampling directions" gives a density for each. Two questions:
-// where do the densities come from, and how does one draw from them?
+// A computer draws numbers $\xi$ that are uniform in $[0, 1)$.
 //
-// **From solid angle to angles.** A patch of the hemisphere between $\theta$
-// and $\theta + d\theta$, $\phi$ and $\phi + d\phi$ has the size $d\omega =
-// \sin\theta\,d\theta\,d\phi$. The ring at the rim is long, the one near the
-// normal is short. So a density per solid angle becomes one per angle:
+// The obvious way is $\theta = \xi\,\pi/2$ and $\phi = 2\pi\xi$. It is wrong.
+// The ring of directions at an angle $\theta$ has the radius $\sin\theta$: it
+// is short near the normal, and long at the horizon. A uniform $\theta$ gives
+// all rings equally many directions. So they crowd around the normal, as in
+// the left column.
+//
+// ![](three-hemispheres)
+//
+// The slide "Sampling directions" has the right densities for the two angles.
+// Where do they come from, and how does one draw from them?
+//
+// **From solid angle to angles.** A small patch of the hemisphere is
+// $d\theta$ high and $\sin\theta\,d\phi$ wide. So its solid angle is
+// $d\omega = \sin\theta\,d\theta\,d\phi$. A direction falls into it with the
+// probability $p(\omega)\,d\omega$, and so the density of the two angles is
 // $p(\theta, \phi) = p(\omega)\,\sin\theta$.
 //
-// **Inversion.** The random numbers $\xi$ are uniform in $[0, 1)$. To draw
-// $\theta$ with a density $p(\theta)$, first sum the density up: the
-// *cumulative distribution function* (CDF) $P(\theta) = \int_0^\theta
-// p(t)\,dt$ is the probability of an angle below $\theta$. It grows from 0
-// to 1. Draw a height $\xi$, and read off the angle where the curve has this
-// height: $\theta = P^{-1}(\xi)$. Where the curve is steep, many heights
-// lead to nearly the same angle, and there the density is large.
+// **Inversion sampling.** Let $P(\theta)$ be the probability of an angle
+// below $\theta$. It is called the *cumulative distribution function*, CDF:
+//
+// $$P(\theta) = \int_0^\theta p(t)\,dt$$
+//
+// Its curve grows from 0 to 1. Draw a uniform height $\xi$, go right to the
+// curve, and read off the angle below: $\theta = P^{-1}(\xi)$. Where the
+// curve is steep, many heights lead to nearly the same angle. It is steep
+// where the density $p$ is large, so large densities get many samples.
 //
 // ![](inversion)
 //
 // ### Uniform in solid angle
 //
-// The hemisphere has $2\pi$ steradians. If every direction is as likely as
-// any other, $p(\omega) = \frac{1}{2\pi}$. In angles this is $\frac{1}{2\pi}
-// \sin\theta$, the product of the slide's $p(\theta) = \sin\theta$ and
-// $p(\phi) = \frac{1}{2\pi}$. Sum up and invert:
+// The hemisphere has $2\pi$ steradians. If all directions are equally likely,
+// $p(\omega) = \frac{1}{2\pi}$. For the angles this is $\frac{1}{2\pi}
+// \sin\theta$. It is the product of the slide's $p(\theta) = \sin\theta$ and
+// $p(\phi) = \frac{1}{2\pi}$. Integrate the first and invert it:
 //
 // $$P(\theta) = \int_0^\theta \sin t\,dt = 1 - \cos\theta = \xi
 // \quad\Rightarrow\quad \cos\theta = 1 - \xi$$
 //
-// Since $1 - \xi$ is as uniform as $\xi$, the slide has $\theta =
-// \arccos\xi$. So $\cos\theta$ *is* $\xi$, and no arccosine is computed: only
-// $\cos\theta$ and $\sin\theta = \sqrt{1 - \cos^2\theta}$ are needed. The
-// angle $\phi = 2\pi\xi$ takes a random number of its own.
+// This is the curve of the figure above. $1 - \xi$ is as uniform as $\xi$, so
+// the slide has $\theta = \arccos\xi$. Then $\cos\theta$ *is* $\xi$, and no
+// arccosine is computed. The sine follows from
+// $\sin\theta = \sqrt{1 - \cos^2\theta}$. The other angle is uniform,
+// $\phi = 2\pi\xi$, with a random number of its own.
 //
-// The obvious way is wrong: draw $\theta$ itself uniformly from 0 to $\pi/2$.
-// Then the short rings near the normal get as many directions as the long
-// ones at the rim.
-//
-// ![](three-hemispheres)
-//
-// `sample_uniform_hemisphere` gets a `normal` and two random numbers, `u.x`
-// and `u.y`. Compute the direction about the z axis, $(\sin\theta\cos\phi,
-// \sin\theta\sin\phi, \cos\theta)$. Then `Basis(normal).to_world(v)` turns it
-// so that z becomes the normal. `cos` and `sin` of a `float` are the core's
-// own.
+// `sample_uniform_hemisphere` gets a `normal` and two independent random
+// numbers, `u.x` and `u.y`. Compute the direction as if the normal were the z
+// axis: $(\sin\theta\cos\phi, \sin\theta\sin\phi, \cos\theta)$. Then turn it.
+// `Basis(normal)` makes three perpendicular axes, the third of which is the
+// normal. Its `to_world(v)` takes the three coordinates along these axes, and
+// gives the vector in the room. `cos(phi)` and `sin(phi)` take radians.
 
 // #region uniform-sampling
 /// A unit vector about `normal`, with density 1/(2 pi) per solid angle.
@@ -208,9 +276,18 @@ inline float uniform_hemisphere_pdf() {
 
 // ### In proportion to the cosine
 //
-// The integrand has the factor $\cos\theta$: directions near the horizon
-// count for little. Draw fewer of them, with $p(\omega) = \cos\theta/\pi$. In
-// angles $p(\theta) = 2\sin\theta\cos\theta$, and
+// The integrand has the factor $\cos\theta$. Directions near the horizon
+// count for little, but uniform sampling takes most of its directions there:
+// half of them have a cosine below 0.5. Importance sampling draws fewer of
+// them, with a density in proportion to the cosine. Since the cosine
+// integrates to $\pi$, this density is $p(\omega) = \cos\theta/\pi$. For the
+// angles it is
+//
+// $$\frac{\cos\theta}{\pi}\,\sin\theta
+// = 2\sin\theta\cos\theta \cdot \frac{1}{2\pi},$$
+//
+// the product of the slide's $p(\theta) = 2\sin\theta\cos\theta$ and the same
+// $p(\phi)$ as before. Again, integrate and invert:
 //
 // $$P(\theta) = \int_0^\theta 2 \sin t \cos t\,dt = \sin^2\theta = \xi$$
 //
@@ -218,15 +295,18 @@ inline float uniform_hemisphere_pdf() {
 //
 // This is the slide's $\theta = \arccos\sqrt{1 - \xi}$.
 //
-// Where does the root come from? Look down on the hemisphere once more. Areas
-// on the disk are $\cos\theta\,d\omega$, so directions with this density are
-// uniform dots *on the disk*. A circle of radius $r$ holds the fraction $r^2$
-// of the disk. So $r = \sqrt\xi$ gives uniform dots, and above the disk $r =
-// \sin\theta$. This is *Malley's method*.
+// Where does the root come from? The shadow of a patch on the disk has the
+// area $\cos\theta\,d\omega$. So directions with this density have shadows
+// that are uniform *on the disk*. Now a circle of radius $r$ holds the
+// fraction $r^2$ of the disk. Points are uniform if $r^2 = \xi$, so $r =
+// \sqrt\xi$, and $r$ is $\sin\theta$. Draw a point on the disk and lift it
+// onto the hemisphere: this is *Malley's method*.
 //
 // ![](malley)
 //
 // `sample_cosine_hemisphere` differs from the uniform one in two lines.
+// `uniform_hemisphere_pdf` and `cosine_hemisphere_pdf` give the densities.
+// Only the tests call them.
 
 // #region cosine-sampling
 /// A unit vector about `normal`, with density cos(theta)/pi per solid angle.
@@ -250,35 +330,50 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 
 // ## The weight of a bounce
 //
-// A bounce multiplies the path by one term of the sum. The slide writes it in
-// angles, for uniform and for cosine sampling, and says "Remember to
-// simplify":
+// Put the BRDF and a random direction into the equation, with $N = 1$. The
+// light $L_i$ is then multiplied by one factor, the *weight* of the bounce.
+// The slide writes the whole term in angles, for uniform and for cosine
+// sampling, and says "Remember to simplify":
 //
 // $$\frac{2\pi L_i f_r \cos\theta_i \sin\theta_i}{\sin\theta_i}
 // \qquad
 // \frac{2\pi L_i f_r \cos\theta_i \sin\theta_i}
 // {2 \sin\theta_i \cos\theta_i}$$
 //
-// Per solid angle the factor of $L_i$ is $f_r \cos\theta / p$, and most of it
-// cancels:
+// The $\sin\theta_i$ in the numerator and in the denominator cancel. So the
+// weight is $f_r \cos\theta / p$, with $p$ per solid angle, and more cancels:
 //
 // $$\text{uniform:}\quad \frac{k_d}{\pi}\,\cos\theta\,2\pi
-// = 2 k_d \cos\theta \qquad
-// \text{cosine:}\quad \frac{k_d}{\pi}\,\cos\theta\,\frac{\pi}{\cos\theta}
+// = 2 k_d \cos\theta$$
+//
+// $$\text{cosine:}\quad \frac{k_d}{\pi}\,\cos\theta\,\frac{\pi}{\cos\theta}
 // = k_d$$
 //
-// With cosine sampling the weight is a constant. The only thing that is still
-// random is $L_i$. Under a sky of one color even that is constant, and every
-// single sample is exact. Uniform sampling has the weight $2 k_d \cos\theta$,
-// and $\cos\theta$ is uniform in $[0, 1)$. That is the example $2x$ from
-// above: a relative error of 58 % in each sample.
+// With cosine sampling nothing random is left in the weight. Only $L_i$ is
+// still random. Nor is there a division by a $\cos\theta$ that may be 0.
+//
+// How much does that save? Think of a lamp that fills the whole hemisphere,
+// with $L_i = 1$ everywhere. With cosine sampling every sample is $k_d$, and
+// the variance is 0. With uniform sampling a sample is $2 k_d \cos\theta$,
+// and $\cos\theta$ is a uniform number. That is $k_d$ times the example $2x$.
+// The variance is $k_d^2/3$, so each sample has a relative error of 58 %.
 //
 // ![](uniform-cosine)
 //
-// `sample` draws a direction, in the way that `sampling` asks for, and gives
-// its simplified weight. `surface.normal` is the normal on the side of `wo`.
-// The tests compare with `unsimplified_weight`, which the program itself does
-// not need.
+// Try it with `--sampling uniform`, the option of the left picture. The
+// weight also shows what a uniform $\theta$ does. The mean of $\cos\theta$
+// should be 1/2, but over a uniform $\theta$ it is $2/\pi = 0.64$. The mean
+// weight is then not $k_d$ but $4 k_d/\pi = 1.27\,k_d$. More samples do not
+// help, because this is no noise.
+//
+// ![](theta-uniform)
+//
+// `sample` draws a direction in the way that `sampling` asks for,
+// `Sampling::uniform` or `Sampling::cosine`. It returns the direction and its
+// simplified weight. It gets a `Surface`: the hit as the path sees it. Its
+// `material` has the albedo `kd`. Its `normal` is on the side that the path
+// comes from. The tests compare the weights with `unsimplified_weight`, which
+// the program itself does not call.
 
 // #region weight
 /// A direction to follow, and f_r cos(theta) / p for it.
@@ -293,8 +388,8 @@ inline Vec3 unsimplified_weight(const Material& material, float cos_theta,
   return evaluate(material) * cos_theta / pdf;
 }
 
-/// A direction on the side of `wo`, and its weight with all that cancels left
-/// out.
+/// A direction on the side of `surface.wo`, and its weight with all that
+/// cancels left out. `u` is uniform in [0, 1)^2.
 inline BsdfSample sample(const Surface& surface, Sampling sampling,
                          const Vec2& u) {
   // #region exercise 1.4: diffuse weight
@@ -311,11 +406,18 @@ inline BsdfSample sample(const Surface& surface, Sampling sampling,
 
 // ## Light that a surface emits
 //
-// A lamp has an emission $k_e$. It shines on the side that its normal points
-// to, equally bright in all directions; its back is black.
+// A lamp has an emission $k_e$, a radiance. It shines on the side that its
+// normal points to, and its back is black. On the front it has the same
+// radiance in all directions. There is no cosine here.
+//
+// A shape has one normal, `surface.hit.normal`, which may point to either
+// side. `surface.normal` is the same one or its opposite, whichever is on the
+// side of `wo`. So only the first of them tells front from back.
+//
+// ![](lamp-front)
 
 // #region emitted
-/// Radiance that the surface emits towards `wo`.
+/// Radiance that the surface emits towards `surface.wo`.
 inline Vec3 emitted(const Surface& surface) {
   const bool front = dot(surface.hit.normal, surface.wo) > 0;
   return front ? surface.material.ke : Vec3(0);
@@ -324,10 +426,16 @@ inline Vec3 emitted(const Surface& surface) {
 
 // ## The path
 //
-// Now put the pieces together. The path begins as the camera's ray. At each
-// surface it takes one random direction and goes on. Its `throughput` is the
-// product of all weights so far: the fraction of the light found here that
-// would reach the camera. It starts as 1.
+// Now put the pieces together. With one direction at each surface the
+// recursion is a chain: $L_o$ is the weight times the next $L_o$. So a path
+// that meets a lamp after two bounces brings
+//
+// $$\text{weight}_0 \cdot \text{weight}_1 \cdot L_e$$
+//
+// The path begins as the camera's ray. At each surface it takes one random
+// direction and goes on; `throughput` is the product of the weights so far.
+// It starts as 1. It is the fraction of the light found here that reaches the
+// camera.
 //
 // The path ends
 //
@@ -336,26 +444,32 @@ inline Vec3 emitted(const Surface& surface) {
 // - after `max_bounces` bounces. It brings nothing.
 //
 // Why does it end at a lamp, when the equation has $L_e$ *plus* the integral?
-// In this course a material either emits or scatters. At a lamp $k_d = 0$, so
-// the integral is 0.
+// In this course a material either emits or scatters, and the core refuses a
+// scene where one does both. At a lamp $k_d = 0$, so the integral is 0.
 //
-// ![](one-path)
+// Here is a path of the program, told by the options `--pixel` and
+// `--sample`. It meets the white floor, the red wall, and then the ceiling,
+// which is the lamp. The weights are (0.8, 0.8, 0.8) and (0.8, 0.2, 0.2).
+// Their product is what the path brings: light that has turned red at the
+// wall.
 //
-// A real path of the program: a white wall, the red wall, and then the
-// ceiling, which is the lamp. The weights are 0.8 and (0.8, 0.2, 0.2), and
-// their product is what the path brings.
+// ![](followed-path)
 //
 //     $ build/stage1 scenes/cornell_box_ceiling_diffuse.toml
-//     > --pixel 60,150 --sample 10
+//     > --pixel 70,240 --sample 8
 //     ...
-//     vertex 0: plane[4] of 'white', bounce 0
+//     vertex 0: plane[2] of 'white', bounce 0
 //     ...
 //       throughput (       1,        1,        1)
 //     ...
+//       weight     (     0.8,      0.8,      0.8)
+//
 //     vertex 1: plane[0] of 'red', bounce 1
 //     ...
 //       throughput (     0.8,      0.8,      0.8)
 //     ...
+//       weight     (     0.8,      0.2,      0.2)
+//
 //     vertex 2: plane[3] of 'ceiling', bounce 2
 //     ...
 //       throughput (    0.64,     0.16,     0.16)
@@ -363,33 +477,66 @@ inline Vec3 emitted(const Surface& surface) {
 //     ...
 //     radiance of this sample = (0.64, 0.16, 0.16)
 //
-// The bound makes the mean too dark, since longer paths are missing: with
+// Other samples of the same pixel go other ways. One goes from the floor
+// straight to the ceiling. Another meets no lamp within eight bounces and
+// brings nothing. The pixel gets the mean of them all.
+//
+//     $ build/stage1 scenes/cornell_box_ceiling_diffuse.toml
+//     > --pixel 70,240 --sample 0
+//     ...
+//     vertex 1: plane[3] of 'ceiling', bounce 1
+//     ...
+//     radiance of this sample = (0.8, 0.8, 0.8)
+//     $ build/stage1 scenes/cornell_box_ceiling_diffuse.toml
+//     > --pixel 70,240 --sample 6
+//     ...
+//       ends       at the bound of 8 bounces
+//     radiance of this sample = (0, 0, 0)
+//
+// ### How many bounces?
+//
+// A *bounce* is one scattering at a surface. With `--max-bounces 0` the
+// picture shows the lamps alone, with 1 what they light directly. Each
+// further bounce adds light that was scattered once more.
+//
+// The bound makes the picture too dark, because longer paths are missing.
+// Such an error is a *bias*, and more samples do not remove it. With
 // $k_d = 0.8$ everywhere, a path still has the throughput $0.8^8 = 0.17$
-// after eight bounces.
+// after eight bounces. Stage 4 will do without the bound.
 //
 // ![](diffuse-bounces)
 //
-// A ray that leaves a surface must not hit the same surface again. Its origin
-// is rounded, so it may lie a little *below* the surface. Then the wall
-// shades itself, in dark spots all over, the famous *shadow acne*.
-// `spawn_ray(hit, direction)` makes a ray that knows which surface it leaves.
+// ### Leaving a surface
+//
+// The next ray starts where the path is, and must not hit the same surface at
+// once. But the computed position is rounded, so it may lie a little *below*
+// the surface. Then a wall is in its own shadow, in dark spots all over. This
+// is *shadow acne*.
+//
+// `spawn_ray(hit, direction)` prevents it. It makes the ray that leaves the
+// surface at `hit` in the unit vector `direction`. The ray starts a little
+// off the surface and knows which shape it leaves.
 //
 // ![](acne)
 //
-// `radiance` follows the path. It needs from the core:
+// ### The loop
 //
-// - `scene_.nearest_hit(ray)` is a `std::optional<Hit>`, empty where the ray
-//   leaves the scene. A hit has a position, a normal and a material.
+// `radiance` follows the path. It has the members `scene_`, `max_bounces_`
+// and `sampling_`, and needs from the core:
+//
+// - `scene_.nearest_hit(ray)` gives a `std::optional<Hit>`, the first surface
+//   on the ray. It is empty where the ray leaves the scene.
 // - `Surface(*hit, *hit->material, -ray.direction)` is the hit as the path
-//   sees it, with `material`, `wo` and the `normal` on the side of `wo`.
+//   sees it. The last argument becomes `wo`.
 // - `surface.material.emits()` says whether it is a lamp.
-// - `random.uniform_2d()` draws two uniform numbers. Draw new ones at each
-//   bounce.
+// - `random.uniform_2d()` draws two independent uniform numbers, a `Vec2`.
+//   Draw new ones at each bounce.
 // - `log_vertex(surface, throughput, Vec3(0), bounce)` tells `--pixel` where
-//   the path is. Call it once at each surface, before anything is decided.
+//   the path is, and changes nothing. Call it once at each surface, before
+//   anything is decided.
 //
-// The loop counts bounces from 0. With `max_bounces_` 0 the picture shows the
-// lamps alone; with 1, what they light directly.
+// Count the bounces from 0, and compare with `max_bounces_` after the test
+// for a lamp. So a lamp that the last bounce leads to still counts.
 
 // #region path
 class PathTracer {
@@ -399,8 +546,9 @@ class PathTracer {
         max_bounces_(settings.max_bounces),
         sampling_(settings.sampling) {}
 
-  /// Radiance that comes back along the ray, as one path sees it: its mean
-  /// over many paths is what the rendering equation asks for.
+  /// Radiance that comes back along the ray, as one path sees it. Its mean
+  /// over many paths solves the rendering equation, but for light of more
+  /// than `max_bounces` bounces.
   Vec3 radiance(Ray ray, Random& random) const {
     // #region exercise 1.5: path loop
     // #stub return Vec3(0);
@@ -432,14 +580,17 @@ class PathTracer {
 };
 // #endregion path
 
-// Paint it, and change the number of samples and of bounces:
+// Build it and paint the box:
 //
 //     make stage1
 //     build/stage1 scenes/cornell_box_ceiling_diffuse.toml -o box.png
 //
+// Then change one thing at a time: `--spp 4`, `--sampling uniform`,
+// `--max-bounces 1`. The figures above show what to expect.
+//
 // What remains? A path finds a lamp only by chance. The ceiling is large, so
-// it is found soon. A small lamp is found by few paths, and these bring much:
-// the picture is full of bright dots. Try
+// it is found soon. A small lamp is found by few paths, and each of these
+// brings much: the picture is dark and full of bright dots. Try
 // `scenes/cornell_box_sphere_lamp_diffuse.toml`. Stage 2 mends it.
 //
 // ![](small-lamp)

@@ -1,11 +1,13 @@
-"""The drawings of chapter 1."""
+"""Diagrams of chapter 1: light at a point, averages, directions, a path."""
 
 import math
 import random
+from itertools import pairwise
 
 from tools.weave.drawing import (
     COOL,
     FAINT,
+    GLOW,
     GREEN,
     INK,
     LAMP,
@@ -32,45 +34,73 @@ from tools.weave.drawing import (
 @diagram("wall-and-lamp", 520, 330)
 def wall_and_lamp():
     """A point x of a floor, seen by the camera, with another wall and a lamp."""
-    x, y = 250, 280
+    x, y, slope = 250, 280, 58
+    there = 490, y - 240 / math.tan(math.radians(slope))
     yield from hatched(40, y, 490, y)
     yield from hatched(490, y, 490, 40)
     yield line(300, 40, 400, 40, LAMP, 8)
-    yield text(350, 28, "lamp", WARM)
+    yield text(350, 26, "lamp", WARM)
     yield f'<path d="M{x - 110} {y} A110 110 0 0 1 {x + 110} {y}" fill="{SAND}" stroke="{SOFT}" stroke-dasharray="4 3"/>'
     yield symbol(x - 124, y - 20, "Ω", SOFT)
     yield from arrow(x, y, x, y - 150, "n")
-    yield from arrow(x, y, *polar(x, y, -56, 150), "w_o", COOL)
-    yield from arrow(x, y, *polar(x, y, 58, 150), "w_i", WARM)
-    yield dashed(*polar(x, y, 58, 170), 490, y - 240 / math.tan(math.radians(58)), WARM)
-    yield from angle(x, y, 0, 58, 56, "θ")
-    yield text(58, 128, "camera", COOL, "start")
-    yield dashed(*polar(x, y, -56, 176), 70, 140, COOL)
+    yield dashed(*polar(x, y, -56, 150), 74, 160, COOL)
+    yield from arrow(x, y, *polar(x, y, -56, 150), "", COOL)
+    yield symbol(*polar(x + 14, y - 18, -56, 136), "w_o", COOL)
+    yield dashed(*polar(x, y, slope, 150), *there, WARM)
+    yield from arrow(x, y, *polar(x, y, slope, 150), "", WARM)
+    yield symbol(*polar(x - 10, y - 18, slope, 138), "w_i", WARM)
+    yield from angle(x, y, 0, slope, 56, "θ")
+    yield text(40, 148, "camera", COOL, "start")
+    yield circle(x, y, 4.5)
+    yield symbol(x, y + 34, "x")
+    yield circle(*there, 4.5)
+    yield symbol(there[0] - 16, there[1] + 26, "y")
+    yield dashed(*there, 372, 46, SOFT)
+
+
+@diagram("grid-or-path", 520, 290)
+def grid_or_path():
+    """Five directions at each point, twice; and one at each."""
+    yield text(130, 26, "5 directions at each point")
+    first = [(x, 150) for x in (30, 80, 130, 180, 230)]
+    for x, y in first:
+        yield line(130, 230, x, y, WARM, 1.6)
+        for i in range(5):
+            yield line(x, y, x - 18 + 9 * i, 76, WARM, 0.9)
+            yield circle(x - 18 + 9 * i, 76, 1.8, WARM)
+        yield circle(x, y, 3.5, WARM)
+    yield circle(130, 230, 4.5)
+    yield text(130, 272, "5, then 25, then 125 …", WARM)
+    yield text(390, 26, "1 direction at each point")
+    chain = ((390, 230), (440, 150), (350, 76))
+    for a, b in pairwise(chain):
+        yield line(*a, *b, COOL, 2.4)
+        yield circle(*b, 3.5, COOL)
+    yield circle(390, 230, 4.5)
+    yield text(390, 272, "1, then 1, then 1 …", COOL)
+
+
+@diagram("disk", 520, 320)
+def disk():
+    """A patch of the unit hemisphere, and its shadow straight below."""
+    x, y, r, first, last = 250, 240, 190, 42, 56
+    a, b = polar(x, y, first, r), polar(x, y, last, r)
+    yield f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" fill="{SAND}" stroke="{SOFT}"/>'
+    yield from arrow(x, y, x, y - r - 20, "n")
+    yield f'<path d="M{x} {y} L{a[0]:.1f} {a[1]:.1f} L{b[0]:.1f} {b[1]:.1f}z" fill="{GLOW}"/>'
+    yield line(x, y, *polar(x, y, (first + last) / 2, r), WARM, 1.2, False, "5 4")
+    yield curve([polar(x, y, first + i, r) for i in range(last - first + 1)], WARM, 6)
+    yield symbol(*polar(x, y, 49, r + 26), "dω", WARM)
+    for tip in (a, b):
+        yield dashed(*tip, tip[0], y)
+    yield line(x - r, y, x + r, y, INK, 2.2)
+    yield line(a[0], y, b[0], y, COOL, 6)
+    yield symbol((a[0] + b[0]) / 2, y + 30, "cosθ dω", COOL)
+    yield from angle(x, y, 0, 49, 60, "θ")
+    yield dashed(x - r, y + 46, x + r, y + 46)
     yield circle(x, y, 4.5)
     yield symbol(x, y + 30, "x")
-    yield circle(490, y - 240 / math.tan(math.radians(58)), 4.5)
-    yield symbol(474, y - 240 / math.tan(math.radians(58)) - 10, "y")
-    yield dashed(490, y - 150, 372, 46, SOFT)
-
-
-@diagram("disk", 520, 300)
-def disk():
-    """A patch of the hemisphere, and the smaller one below it on the ground."""
-    x, y, r = 260, 220, 170
-    yield f'<ellipse cx="{x}" cy="{y}" rx="{r}" ry="48" fill="{SAND}" stroke="{SOFT}"/>'
-    yield f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" fill="none" stroke="{INK}" stroke-width="1.6"/>'
-    yield from arrow(x, y, x, y - r - 26, "n")
-    for first, last, color in ((44, 58, WARM), (6, 20, GREEN)):
-        a, b = polar(x, y, first, r), polar(x, y, last, r)
-        yield f'<path d="M{a[0]:.1f} {a[1]:.1f} A{r} {r} 0 0 1 {b[0]:.1f} {b[1]:.1f}" fill="none" stroke="{color}" stroke-width="7"/>'
-        yield dashed(a[0], a[1], a[0], y, color)
-        yield dashed(b[0], b[1], b[0], y, color)
-        yield line(a[0], y, b[0], y, color, 7)
-    yield text(*polar(x, y - 4, 53, r + 12), "dω", WARM, "start", "italic")
-    yield text(x + 128, y + 66, "cos θ dω", WARM, "middle", "italic")
-    yield line(x + 132, y + 48, x + 132, y + 8, WARM, 1.2, True)
-    yield text(x - 96, y + 74, "all of the disk: π", INK)
-    yield text(x + 52, y - r - 12, "nearly dω", GREEN, "start")
+    yield text(x, y + 70, "a disk of radius 1: its area is π", SOFT)
 
 
 @diagram("four-numbers", 520, 290)
@@ -87,6 +117,10 @@ def four_numbers():
         for place, value in zip(places, values):
             yield line(x0 + width * place, y0, x0 + width * place, y0 - height / 2 * value, WARM, 2)
             yield circle(x0 + width * place, y0 - height / 2 * value, 5, WARM)
+            if value != 1:
+                aside = (0, -12, "middle") if value < 0.5 else (10, 8, "start")
+                at = x0 + width * place + aside[0], y0 - height / 2 * value + aside[1]
+                yield text(*at, f"{value:.1f}", WARM, aside[2])
         yield text(x0 - 8, y0 - height / 2 + 5, "1", COOL, "end")
         yield text(x0 - 8, y0 - height + 8, "2", SOFT, "end")
         yield text(x0 + width, y0 + 20, "1", SOFT)
@@ -114,55 +148,70 @@ def inversion():
     yield text(x0, y0 + 24, "0", SOFT)
     yield text(x0 + width, y0 + 24, "90°", SOFT)
     yield text(x0 - 10, y0 - height + 5, "1", SOFT, "end")
-    yield text(x0 + 70, y0 - height + 20, "P(θ) = 1 - cos θ", INK, "start")
+    yield text(x0 + 14, y0 - height - 10, "P(θ) = 1 − cos θ", INK, "start")
     yield text(260, 314, "equal steps of ξ: steep curve, dense angles", INK)
 
 
-@diagram("three-hemispheres", 560, 190)
+def lifted(x, y, r, sine, phi, tilt):
+    """Where a direction of a hemisphere of radius r is seen, from so many
+    degrees above its rim; 90 is from above."""
+    cosine, lift = math.sqrt(max(0, 1 - sine * sine)), math.radians(tilt)
+    return x + r * sine * math.cos(phi), y + r * (
+        sine * math.sin(phi) * math.sin(lift) - cosine * math.cos(lift)
+    )
+
+
+@diagram("three-hemispheres", 520, 400)
 def three_hemispheres():
-    """Directions from the side: theta uniform, solid angle uniform, cosine."""
-    drawn = random.Random(3)
-    pairs = [(drawn.random(), drawn.random()) for _ in range(500)]
+    """Directions: theta uniform, solid angle uniform, cosine; from the side,
+    only those in front, and from above."""
+    drawn = random.Random(1)
+    pairs = [(drawn.random(), drawn.random()) for _ in range(400)]
     ways = (
-        ("θ uniform: wrong", lambda u: math.cos(u * math.pi / 2)),
-        ("solid angle", lambda u: u),
-        ("cosine", lambda u: math.sqrt(1 - u)),
+        ("θ uniform: wrong", lambda u: math.sin(u * math.pi / 2)),
+        ("solid angle", lambda u: math.sqrt(1 - u * u)),
+        ("cosine", math.sqrt),
     )
-    for i, (name, cosine) in enumerate(ways):
-        x, y, r = 95 + 185 * i, 116, 84
-        yield f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" fill="{SAND}" stroke="{SOFT}"/>'
-        yield f'<ellipse cx="{x}" cy="{y}" rx="{r}" ry="24" fill="{SAND}" stroke="{SOFT}"/>'
-        points = []
-        for u, v in pairs:
-            c = cosine(u)
-            s, phi = math.sqrt(1 - c * c), 2 * math.pi * v
-            points.append((x + r * s * math.cos(phi), y - r * c * 0.96 + 24 * s * math.sin(phi)))
-        yield from dots(points, WARM, 1.6)
-        yield text(x, y + 50, name)
+    for x, (name, sine_of) in zip((90, 260, 430), ways):
+        r, tilt = 78, 14
+        yield text(x, 24, name, RED if "wrong" in name else INK)
+        yield f'<path d="M{x - r} 130 A{r} {r} 0 0 1 {x + r} 130" fill="{SAND}" stroke="{SOFT}"/>'
+        flat = r * math.sin(math.radians(tilt))
+        yield f'<ellipse cx="{x}" cy="130" rx="{r}" ry="{flat:.1f}" fill="{SAND}" stroke="{SOFT}"/>'
+        yield circle(x, 264, r, SAND, SOFT)
+        directions = [(sine_of(u), 2 * math.pi * v) for u, v in pairs]
+        yield from dots(
+            [lifted(x, 130, r, s, phi, tilt) for s, phi in directions if math.sin(phi) > -0.2], WARM, 1.7
+        )
+        yield from dots([lifted(x, 264, r, s, phi, 90) for s, phi in directions], WARM, 1.7)
+        yield text(x, 372, f"{sum(s < 0.5 for s, _ in directions) / len(directions):.0%}")
+    yield text(260, 394, "of the directions are within 30° of the normal", SOFT)
 
 
-@diagram("malley", 520, 290)
+@diagram("malley", 520, 300)
 def malley():
-    """Uniform dots on the disk, lifted onto the hemisphere."""
+    """Uniform points on the disk from above, and lifted onto the hemisphere."""
     drawn = random.Random(5)
-    pairs = [(drawn.random(), drawn.random()) for _ in range(260)]
-    x, y, r = 130, 140, 100
+    pairs = [(drawn.random(), drawn.random()) for _ in range(240)]
+    x, y, r = 112, 142, 100
     yield circle(x, y, r, SAND, SOFT)
-    yield from dots(
-        [(x + r * math.sqrt(u) * math.cos(2 * math.pi * v), y + r * math.sqrt(u) * math.sin(2 * math.pi * v)) for u, v in pairs]
-    )
-    yield line(x, y, *polar(x, y, 60, r * 0.7), COOL, 2, True)
-    yield symbol(x + 22, y - 26, "√ξ", COOL)
-    yield text(x, 274, "uniform on the disk")
-    x, y = 385, 220
+    yield from dots([lifted(x, y, r, math.sqrt(u), 2 * math.pi * v, 90) for u, v in pairs])
+    yield circle(x, y, f"{r * 0.7071:.1f}", "none", COOL)
+    yield line(x, y, *polar(x, y, 60, r * 0.7071), COOL, 2, True)
+    yield symbol(x + 34, y + 2, "r", COOL)
+    yield text(x, 272, "r = 0.71: half of the dots", COOL)
+    x, y, r, tilt = 376, 192, 130, 16
+    flat = r * math.sin(math.radians(tilt))
     yield f'<path d="M{x - r} {y} A{r} {r} 0 0 1 {x + r} {y}" fill="{SAND}" stroke="{SOFT}"/>'
-    yield line(x - r, y, x + r, y, SOFT)
-    for i in range(-7, 8):
-        s = math.copysign(math.sqrt((abs(i) + 0.3) / 7.6), i)
-        yield line(x + r * s, y, x + r * s, y - r * math.sqrt(1 - s * s), FAINT, 1.4)
-        yield circle(x + r * s, y, 2.5, WARM)
-        yield circle(x + r * s, y - r * math.sqrt(1 - s * s), 2.5, WARM)
-    yield text(x, 274, "lifted to the hemisphere")
+    yield f'<ellipse cx="{x}" cy="{y}" rx="{r}" ry="{flat:.1f}" fill="{GLOW}" stroke="{SOFT}"/>'
+    for u, v in pairs[100:140]:
+        sine, phi = math.sqrt(u), 2 * math.pi * v
+        foot = x + r * sine * math.cos(phi), y + flat * sine * math.sin(phi)
+        tip = lifted(x, y, r, sine, phi, tilt)
+        yield line(*foot, *tip, SOFT, 0.8)
+        yield from dots([foot], COOL, 2.4)
+        yield from dots([tip], WARM, 2.8)
+    yield text(x, 272, "lifted onto the hemisphere", WARM)
 
 
 @diagram("acne", 520, 230)
@@ -178,3 +227,55 @@ def acne():
             yield circle(x - 30 + depth * math.tan(math.radians(62)), y, 6, "none", RED)
             yield text(x + 34, y - 16, "hit again", RED, "start")
         yield text(x, 214, name)
+
+
+@diagram("lamp-front", 520, 240)
+def lamp_front():
+    """A lamp, seen from the side of its normal and from the other."""
+    y = 100
+    for x, front in ((130, True), (390, False)):
+        yield text(x, 24, "seen from the front" if front else "seen from the back")
+        yield line(x - 80, y, x + 80, y, LAMP if front else INK, 8)
+        yield from arrow(x, y, x, y + (66 if front else -44), "n")
+        tip = polar(x, y, 135, 92)
+        yield line(x, y, *tip, COOL, 2.4, True)
+        yield symbol(tip[0] + 22, tip[1] + 6, "w_o", COOL)
+    for degrees in (-110, -140, 110):
+        yield line(*polar(130, y, degrees, 12), *polar(130, y, degrees, 76), WARM, 1.6, True)
+    yield symbol(130, 226, "n · w_o &gt; 0: radiance k_e", WARM)
+    yield symbol(390, 226, "n · w_o &lt; 0: black")
+
+
+# What `build/stage1 scenes/cornell_box_ceiling_diffuse.toml --pixel 70,240
+# --sample 8` tells of its path: x and y of each vertex, and their throughputs.
+VERTICES = ((-0.5066, -1.0), (-1.0, 0.0355), (0.8006, 1.0))
+
+
+@diagram("followed-path", 520, 430)
+def followed_path():
+    """The path that the chapter follows, seen from the front."""
+    size, left, top, far = 165, 255, 205, 0.53
+
+    def place(x, y):
+        return left + size * x, top - size * y
+
+    corners = ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))
+    for x, y in corners[:4]:
+        yield line(*place(x, y), *place(far * x, far * y), SOFT, 1)
+    yield curve([place(far * x, far * y) for x, y in corners], SOFT, 1)
+    for a, b, color, width in zip(corners, corners[1:], (INK, GREEN, LAMP, RED), (4, 4, 8, 4)):
+        yield line(*place(*a), *place(*b), color, width)
+    a, b, c = [place(*vertex) for vertex in VERTICES]
+    yield line(252, 408, a[0] + 13, a[1] + 5, COOL, 2, True)
+    yield text(262, 416, "from the camera: 1, 1, 1", COOL, "start")
+    yield line(*a, b[0] + 5, b[1] + 11, COOL, 2.4, True)
+    yield text((a[0] + b[0]) / 2 + 34, (a[1] + b[1]) / 2 + 34, "0.8, 0.8, 0.8", COOL, "start")
+    yield line(*b, c[0] - 11, c[1] + 6, COOL, 2.4, True)
+    yield text(262, (b[1] + c[1]) / 2 + 50, "0.64, 0.16, 0.16", COOL)
+    for number, (x, y) in enumerate((a, b, c)):
+        yield circle(x, y, 12, SAND, INK)
+        yield text(x, y + 6, str(number))
+    yield text(left, 24, "ceiling: emits 1, 1, 1", WARM)
+    yield text(left + 20, top + size - 14, "white floor", INK, "start")
+    yield text(18, top - 30, "red", RED, "start")
+    yield text(18, top - 8, "wall", RED, "start")
