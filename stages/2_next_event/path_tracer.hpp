@@ -29,17 +29,17 @@
 // that is what $y$ emits plus what $y$ scatters:
 //
 // $$L_i(x, \omega_i) = L_o(y, -\omega_i) =
-// \textcolor[HTML]{C25A22}{L_e(y, -\omega_i)} +
-// \textcolor[HTML]{3A7BC8}{L_s(y, -\omega_i)}$$
+// \textcolor[RGB]{194,90,34}{L_e(y, -\omega_i)} +
+// \textcolor[RGB]{58,123,200}{L_s(y, -\omega_i)}$$
 //
 // The slides give no formula for this step. An integral of a sum is a sum of
 // integrals, so put it into the rendering equation. With
 // $y = y(x, \omega_i)$, the light that $x$ scatters is
 //
 // $$L_s(x, \omega_o) =
-// \textcolor[HTML]{C25A22}{\underbrace{\int_\Omega L_e\,f_r
+// \textcolor[RGB]{194,90,34}{\underbrace{\int_\Omega L_e\,f_r
 // \cos\theta\,d\omega_i}_{\text{direct light}}} +
-// \textcolor[HTML]{3A7BC8}{\underbrace{\int_\Omega L_s\,f_r
+// \textcolor[RGB]{58,123,200}{\underbrace{\int_\Omega L_s\,f_r
 // \cos\theta\,d\omega_i}_{\text{indirect light}}}$$
 //
 // ![](split)
