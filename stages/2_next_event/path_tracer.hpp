@@ -4,23 +4,25 @@
 //
 // Stage 1 adds light only when a path happens to hit a lamp. How often does
 // that happen? The lamp of the box is a square of side 0.6 under the ceiling,
-// so its area is 0.36. The middle of the floor is 1.99 below it. A
-// cosine-weighted direction from there hits the lamp with the probability
+// so its area is $A = 0.36$. The middle of the floor is $d = 1.99$ below it.
+// Seen from there, the lamp fills a solid angle of about $A/d^2$. The density
+// of a cosine-weighted direction straight up is $1/\pi$. So this direction
+// hits the lamp with the probability
 //
-// $$\frac{\cos\theta\,\cos\theta'\,A}{\pi\,d^2} \approx
-// \frac{1 \cdot 1 \cdot 0.36}{\pi \cdot 1.99^2} \approx 0.03$$
+// $$\frac{1}{\pi} \cdot \frac{A}{d^2} = \frac{0.36}{\pi \cdot 1.99^2}
+// \approx 0.03$$
 //
 // So 97 of 100 paths bring nothing from this first bounce, and 3 bring a lot.
 // That is *variance*, and it looks like bright specks. A smaller lamp makes
 // it worse. A *point light* has no area at all: no path ever hits it, and
 // stage 1 does not even read a scene that has one.
 //
-// ![](stage-1-or-2)
-//
 // But the program knows where the lights are. So at each surface, ask them
 // directly: choose a point on the light, and follow a *shadow ray* to it. If
 // nothing is in the way, add the light that comes along this line. This is
 // *next-event estimation*, or direct light sampling.
+//
+// ![](stage-1-or-2)
 //
 // ## The integral in two parts
 //
@@ -77,8 +79,8 @@ using stage1::sample;
 // \underbrace{\frac{L_e}{p(\omega)}}_{\text{the light}}$$
 //
 // The surface knows the first two factors. The light knows the last one, and
-// this is the `weight` of its answer. Radiance over a density per solid angle
-// has the unit W/m^2.
+// this is the `weight` of its answer. It is radiance times solid angle, so
+// its unit is $\mathrm{W/m^2}$.
 //
 // A `LightSample` is the answer: the weight, the direction, and the distance.
 // The shadow ray needs the distance, because what lies *behind* the light
@@ -106,7 +108,7 @@ inline constexpr float distance_rounding = 0x1p-18f;
 // power per solid angle, in watts per steradian (W/sr). A steradian is the
 // solid angle that covers an area of 1 on a sphere of radius 1. On a sphere
 // of radius $d$ it covers an area of $d^2$. So a surface that faces the light
-// at the distance $d$ receives, in W/m^2,
+// at the distance $d$ receives, in $\mathrm{W/m^2}$,
 //
 // $$\text{weight} = \frac{I}{d^2}$$
 //
@@ -115,9 +117,9 @@ inline constexpr float distance_rounding = 0x1p-18f;
 //
 // ![](inverse-square)
 //
-// An aside about `float` again. No ray can hit a point. But a point light
-// may hang in a ceiling, and then the ceiling must not be in the way. So here
-// the shadow ray ends a little *before* the light. Rounding grows with the
+// An aside about `float` again. No ray can hit a point. But a point light may
+// hang in a ceiling, and then the ceiling must not be in the way. So here the
+// shadow ray ends a little *before* the light. Rounding grows with the
 // coordinates too, so `distance` is reduced by `distance_rounding / 2` times
 // the sum of the distance and the light's largest coordinate,
 // `max_abs_component(light.center)`.
@@ -209,11 +211,11 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 //
 // A lamp of area $A$ that faces $x$ has $\cos\theta' = 1$ and the weight
 // $L_e A/d^2$. Shrink it, and raise its radiance so that $L_e A$ stays the
-// same. From far away nothing changes. Call this product the intensity
-// $I$, and let $A$ go to 0:
+// same. Then the weight at $x$ stays the same, too. Let $A$ go to 0. The lamp
+// becomes a point, and the product is its intensity $I$:
 //
-// $$L_e\,\frac{A\,\cos\theta'}{d^2} = \frac{I}{d^2}
-// \qquad \text{with } I = L_e\,A\,\cos\theta'$$
+// $$L_e\,\frac{A\,\cos\theta'}{d^2} \to \frac{I}{d^2}
+// \qquad \text{with } L_e\,A\,\cos\theta' \to I$$
 //
 // In the limit, the radiance $L_e$ is infinite and the density $p(\omega)$
 // is, too. Neither is a number that a program could hold. Only their
@@ -281,19 +283,18 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 //
 // $$d\cos\theta - \sqrt{r^2 - d^2\sin^2\theta}$$
 //
-// At the edge of the cone the root is of 0, and rounding can make it
-// negative. So take the root of the larger of it and 0. And if $x$ is inside
-// the lamp, there is no cone. The lamp shines outwards, so the answer is
-// black: any unit direction, the weight 0, the distance 0.
+// At the edge of the cone there is 0 under the root, and rounding can make it
+// negative. So take the larger of it and 0. And if $x$ is inside the lamp,
+// there is no cone. The lamp shines outwards, so the answer is black: any
+// unit direction, the weight 0, the distance 0.
 //
 // The last aside about `float`. If the lamp is far away, $\cos\theta_{max}$
-// is rounded to 1, the subtraction gives 0, and the lamp goes out. Multiply
-// both sides of $1 - c^2 = s$ out instead. With
-// $s = \sin^2\theta_{max} = r^2/d^2$,
+// is rounded to 1. Then $1 - \cos\theta_{max}$ is 0, and the lamp goes out.
+// But $s = \sin^2\theta_{max} = r^2/d^2$ has all its digits. Divide
+// $(1 - c)(1 + c) = s$ by $1 + c$, where now
+// $c = \cos\theta_{max} = \sqrt{1 - s}$:
 //
 // $$1 - \cos\theta_{max} = \frac{s}{1 + \sqrt{1 - s}}$$
-//
-// is the same number, and no digits are lost.
 
 // #region sphere-light
 inline LightSample sample_light(const SphereLight& light, const Vec3& x,
@@ -351,8 +352,8 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 //   needs no shadow ray, either.
 //
 // The function `sample_light` for a `Light` calls the one of the three above
-// that fits. Paint the box without a shadow ray, and without the surface's
-// cosine, to see what they do.
+// that fits. The pictures show what is wrong without shadow rays, and without
+// the surface's cosine.
 //
 // ![](direct-mistakes)
 
@@ -405,8 +406,9 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 // ![](who-counts)
 //
 // Get one of the four cells wrong, and you see it. If a lamp counts in both
-// places, everything it lights is twice as bright, and only the lamp itself
-// is right. If a hit never counts, the camera sees a black lamp.
+// places, everything but the lamp itself is twice as bright. It is also
+// noisy, because the second half is found by chance, as in stage 1. If a hit
+// never counts, the camera sees a black lamp.
 //
 // ![](counted)
 //
@@ -446,10 +448,10 @@ inline bool is_counted(const Surface& surface, bool direct_light_added) {
 // Wherever the path ends, it returns the sum. Do not return 0 where a ray
 // leaves the scene: what was gathered before would be lost.
 //
-// Why is the order 2, 3? Direct light is a bounce, too: the surface scatters
-// it once. With `max_bounces` 0 there must be none. Then stages 1 and 2 give
-// the same expected picture for the same bound, in each scene that stage 1
-// can read.
+// Why does the bound come before the direct light? Direct light is a bounce,
+// too: the surface scatters it once. With `max_bounces` 0 there must be none.
+// Then stages 1 and 2 give the same expected picture for the same bound, in
+// each scene that stage 1 can read.
 //
 // Why a flag, and not just `bounce > 0`? In this program they are the same.
 // But the flag says the reason: what matters is whether the vertex before
@@ -508,10 +510,29 @@ class PathTracer {
 
 // ## Follow one path with numbers
 //
-// The option `--pixel` prints what happens along one path. This one starts on
-// the floor, in the shadow of the left ball:
+// The option `--pixel` prints what happens along one path of a pixel, and
+// `--sample` chooses the path. This one starts on the floor, in the shadow of
+// the left ball. Vertex 0 asks the lamp, but the ball is in the way, so it
+// adds nothing. The path goes on to the red wall. Vertex 1 asks again, and
+// its shadow ray reaches the lamp.
 //
 // ![](told-path)
+//
+// Check the red channel of vertex 1 by hand, with the numbers that the
+// program prints. The lamp's normal is $(0, -1, 0)$, so $\cos\theta'$ is the
+// second coordinate of the direction, 0.8801. The lamp has $L_e = 10$ and
+// $A = 0.36$, so the weight is
+//
+// $$10 \cdot \frac{0.36 \cdot 0.8801}{2.104^2} \approx 0.716$$
+//
+// The wall's normal is $(1, 0, 0)$, so $\cos\theta$ is the first coordinate,
+// 0.4086. With the throughput 0.8 and $f_r = 0.8/\pi$, the path adds
+//
+// $$0.8 \cdot \frac{0.8}{\pi} \cdot 0.4086 \cdot 0.716 \approx 0.0596$$
+//
+// At vertex 2 the path hits the lamp by chance. Vertex 1 asked this lamp, so
+// nothing is added. Stage 1 would have added $0.64 \cdot 10 = 6.4$ here, and
+// nothing anywhere else. Such rare large terms are its noise.
 //
 //     $ build/stage2 scenes/cornell_box_lamp_diffuse.toml
 //     > --pixel 50,225 --sample 31
@@ -534,21 +555,6 @@ class PathTracer {
 //       adds       nothing: this lamp was counted at the vertex before
 //       ends       at a lamp
 //     radiance of this sample = (0.0595667, 0.0134025, 0.0119133)
-//
-// Check the red channel of vertex 1 by hand. The lamp's normal is
-// $(0, -1, 0)$, so $\cos\theta'$ is the second coordinate of the direction,
-// 0.8801. The lamp has $L_e = 10$ and $A = 0.36$, so the weight is
-//
-// $$10 \cdot \frac{0.36 \cdot 0.8801}{2.104^2} \approx 0.716$$
-//
-// The wall's normal is $(1, 0, 0)$, so $\cos\theta$ is the first coordinate,
-// 0.4086. With the throughput 0.8 and $f_r = 0.8/\pi$, the path adds
-//
-// $$0.8 \cdot \frac{0.8}{\pi} \cdot 0.4086 \cdot 0.716 \approx 0.0596$$
-//
-// At vertex 2 the path hits the lamp by chance. Vertex 1 asked this lamp, so
-// nothing is added. Stage 1 would have added $0.64 \cdot 10 = 6.4$ here, and
-// nothing anywhere else. Such rare large terms are its noise.
 //
 // ## Stage 2 minus stage 1 is noise
 //
@@ -581,10 +587,10 @@ class PathTracer {
 //
 // Three kinds of noise are left. The indirect light is still found by random
 // directions. At the soft edge of a shadow, the *penumbra*, only some of the
-// points on the lamp are visible. And close to a lamp the weight $A/d^2$ of
-// the rectangle has no bound: the ceiling beside the lamp can have bright
-// specks. There a random direction would be the better estimator. To
-// combine the two is *multiple importance sampling* (Veach 1997, chapter 9).
+// points on the lamp are visible. And close to a rectangle its weight has no
+// bound, because $d^2$ goes to 0: a wall that touches a lamp can have bright
+// specks. There a random direction would be the better estimator. To combine
+// the two is *multiple importance sampling* (Veach 1997, chapter 9).
 //
 // There is a cost, too: one shadow ray for each light at each vertex. With a
 // thousand lights one would ask a few of them, chosen at random.

@@ -50,7 +50,7 @@ def split():
     yield f'<path d="M{a[0]:.1f} {a[1]:.1f} A{r} {r} 0 0 1 {b[0]:.1f} {b[1]:.1f}" fill="none" stroke="{WARM}" stroke-width="6"/>'
     yield f'<path d="M{b[0]:.1f} {b[1]:.1f} A{r} {r} 0 0 1 {x + r} {y}" fill="none" stroke="{COOL}" stroke-width="4"/>'
     yield from arrow(x, y, *polar(x, y, (first + last) / 2, 190), "", WARM)
-    yield from arrow(x, y, *polar(x, y, 66, 200), "", COOL)
+    yield from arrow(x, y, *polar(x, y, 66, 256), "", COOL)
     yield circle(480, y - 240 / math.tan(math.radians(66)), 4, COOL)
     yield text(470, 236, "wall: L_s", COOL, "end")
     yield text(52, 110, "direct: to the lamp", WARM, "start")
