@@ -2,35 +2,63 @@
 
 // # Stage 2: next-event estimation
 //
-// The paths of stage 1 find a lamp only by chance. A small lamp is found
-// rarely, and a *point light* is never found: it has no size, and its picture
-// is black. But where the lights are is no secret. So at each surface, ask
-// them directly. Draw a line to the light, and if nothing is in the way, add
-// what arrives along it. This is *next-event estimation*, and the line is a
-// *shadow ray*.
+// Stage 1 adds light only when a path happens to hit a lamp. How often does
+// that happen? The lamp of the box is a square of side 0.6 under the ceiling,
+// so its area is $A = 0.36$. The middle of the floor is $d = 1.99$ below it.
+// Seen from there, the lamp fills a solid angle of about $A/d^2$. The density
+// of a cosine-weighted direction straight up is $1/\pi$. So this direction
+// hits the lamp with the probability
+//
+// $$\frac{1}{\pi} \cdot \frac{A}{d^2} = \frac{0.36}{\pi \cdot 1.99^2}
+// \approx 0.03$$
+//
+// So 97 of 100 paths bring nothing from this first bounce, and 3 bring a lot.
+// That is *variance*, and it looks like bright specks. A smaller lamp makes
+// it worse. A *point light* has no area at all: no path ever hits it, and
+// stage 1 does not even read a scene that has one.
+//
+// But the program knows where the lights are. So at each surface, ask them
+// directly: choose a point on the light, and follow a *shadow ray* to it. If
+// nothing is in the way, add the light that comes along this line. This is
+// *next-event estimation*, or direct light sampling.
 //
 // ![](stage-1-or-2)
 //
 // ## The integral in two parts
 //
-// Look from $x$ along $\omega_i$ at the next surface $y$. What arrives from
-// there is what $y$ emits, plus what $y$ scatters:
+// Look from $x$ in the direction $\omega_i$. The ray meets the next surface
+// at the point $y$. In clear air, what arrives at $x$ is what leaves $y$. And
+// that is what $y$ emits plus what $y$ scatters:
 //
-// $$L_i(x, \omega_i) = L_e(y, -\omega_i) + L_s(y, -\omega_i)$$
+// $$L_i(x, \omega_i) = L_o(y, -\omega_i) =
+// \textcolor[RGB]{194,90,34}{L_e(y, -\omega_i)} +
+// \textcolor[RGB]{58,123,200}{L_s(y, -\omega_i)}$$
 //
-// So the integral of the rendering equation is a sum of two integrals:
+// The slides give no formula for this step. An integral of a sum is a sum of
+// integrals, so put it into the rendering equation. With
+// $y = y(x, \omega_i)$, the light that $x$ scatters is
 //
-// $$\int_\Omega L_i\,f_r \cos\theta\,d\omega
-// = \underbrace{\int_\Omega L_e\,f_r \cos\theta\,d\omega}_{\text{direct}}
-// + \underbrace{\int_\Omega L_s\,f_r \cos\theta\,d\omega}_{\text{indirect}}$$
-//
-// Each part gets an estimator of its own. For direct light $L_e$ is 0 except
-// towards the lights, so choose directions to the lights only. For indirect
-// light go on as in stage 1. Then one thing must be watched: a path that
-// happens to hit a lamp must not count its light a second time.
+// $$L_s(x, \omega_o) =
+// \textcolor[RGB]{194,90,34}{\underbrace{\int_\Omega L_e\,f_r
+// \cos\theta\,d\omega_i}_{\text{direct light}}} +
+// \textcolor[RGB]{58,123,200}{\underbrace{\int_\Omega L_s\,f_r
+// \cos\theta\,d\omega_i}_{\text{indirect light}}}$$
 //
 // ![](split)
 //
+// Now each part can have its own *estimator*, the one that suits it:
+//
+// - **Direct light.** $L_e$ is 0 except towards the lights. So choose only
+//   directions that lead to a light.
+// - **Indirect light.** $L_s$ can come from anywhere. So choose a direction
+//   as in stage 1, and go on.
+//
+// The second estimator needs care. Its path may hit a lamp by chance. The
+// lamp's $L_e$ belongs to the first integral, which has it already. So it
+// must not be added again.
+//
+// ![](next-event)
+
 #include "stages/1_diffuse/path_tracer.hpp"
 
 namespace lightwalk::stage2 {
@@ -40,22 +68,28 @@ using stage1::emitted;
 using stage1::evaluate;
 using stage1::sample;
 
-// ## What a light sample holds
+// ## What a light answers
 //
-// To ask a light, choose a direction to it with some density $p(\omega)$. The
-// estimate of the direct light is, as always, the integrand over the density:
+// To ask a light is to draw one direction $\omega$ towards it, with a density
+// $p(\omega)$ per solid angle. The Monte Carlo estimate of the direct light
+// is then the integrand over the density:
 //
-// $$\frac{L_e\,f_r \cos\theta}{p(\omega)} = f_r \cos\theta \cdot
-// \frac{L_e}{p(\omega)}$$
+// $$\frac{L_e\,f_r \cos\theta}{p(\omega)} =
+// \underbrace{f_r \cos\theta}_{\text{the surface}} \cdot
+// \underbrace{\frac{L_e}{p(\omega)}}_{\text{the light}}$$
 //
-// The first two factors belong to the surface. The last one belongs to the
-// light, and is the `weight` of its sample. Its unit is W/m^2. A
-// `LightSample` is this weight with the `direction` and the distance.
+// The surface knows the first two factors. The light knows the last one, and
+// this is the `weight` of its answer. It is radiance times solid angle, so
+// its unit is $\mathrm{W/m^2}$.
 //
-// A computed distance is only right up to rounding. So the shadow ray is
-// followed a little farther than the light is away, by the factor `1 +
-// distance_rounding`. What it meets there may be the light itself, but
-// nothing else.
+// A `LightSample` is the answer: the weight, the direction, and the distance.
+// The shadow ray needs the distance, because what lies *behind* the light
+// casts no shadow.
+//
+// An aside about `float`. A computed distance is wrong in its last digits. So
+// for a lamp with a surface, `distance` is a little more than the distance to
+// the lamp: the factor is `1 + distance_rounding`. What the shadow ray meets
+// there may be the lamp itself.
 
 // #region light-sample
 struct LightSample {
@@ -70,32 +104,31 @@ inline constexpr float distance_rounding = 0x1p-18f;
 
 // ## A point light
 //
-// Take a small lamp of area $A$ that faces $x$ from the distance $d$. The
-// next section shows that it brings $L_e A/d^2$. Now let it shrink, and make
-// it brighter, so that $I = L_e A$ stays the same. In the limit it is a point
-// with the *intensity* $I$, in watts per steradian:
+// A point light shines equally in all directions. Its *intensity* $I$ is its
+// power per solid angle, in watts per steradian (W/sr). A steradian is the
+// solid angle that covers an area of 1 on a sphere of radius 1. On a sphere
+// of radius $d$ it covers an area of $d^2$. So a surface that faces the light
+// at the distance $d$ receives, in $\mathrm{W/m^2}$,
 //
-// $$\frac{L_e A}{d^2} \to \frac{I}{d^2}$$
+// $$\text{weight} = \frac{I}{d^2}$$
 //
-// At twice the distance the same steradian covers four times the area. There
-// is nothing to choose and no density. The slides call $I$ the light's power
-// $p$ and use it in just this way, so no $4\pi$ appears.
+// There is one direction only, so nothing is random. The slides call $I$ the
+// light's power $p$, but they use it in just this way. So there is no $4\pi$.
 //
-// ![](shrinking-lamp)
+// ![](inverse-square)
 //
-// A point cannot be hit. If it hangs in a ceiling, the ceiling must not be in
-// its way, so here the shadow ray ends a little *before* the light. A
-// coordinate of size $s$ is rounded by about $s$ times `distance_rounding`,
-// so the larger of distance and coordinates decides how much.
-//
-// Write the direction to the light, of unit length, and the weight $I/d^2$.
-// The distance is given: `distance - distance_rounding / 2 * size`.
+// An aside about `float` again. No ray can hit a point. But a point light may
+// hang in a ceiling, and then the ceiling must not be in the way. So here the
+// shadow ray ends a little *before* the light. Rounding grows with the
+// coordinates too, so `distance` is reduced by `distance_rounding / 2` times
+// the sum of the distance and the light's largest coordinate,
+// `max_abs_component(light.center)`.
 
 // #region point-light
 inline LightSample sample_light(const PointLight& light, const Vec3& x,
                                 const Vec2&) {
   // #region exercise 2.1: point light
-  // #stub return {Vec3(0, 0, 1), Vec3(0), 0};
+  // #stub return {{0, 0, 1}, Vec3(0), 0};
   const Vec3 to_light = light.center - x;
   const float squared_distance = dot(to_light, to_light);
   const float distance = std::sqrt(squared_distance);
@@ -108,43 +141,57 @@ inline LightSample sample_light(const PointLight& light, const Vec3& x,
 
 // ## A rectangle that shines
 //
-// It is easy to choose a point on a rectangle: `corner + u.x * edge_u + u.y *
-// edge_v` is uniform on its area $A$. So the density is $p_A = 1/A$, per
-// *area*. The integral is over *solid angle*. How do the two go together?
+// Choose the point `corner + u.x * edge_u + u.y * edge_v`, where `u` is a
+// pair of random numbers in $[0, 1)$. It is uniform on the lamp's area $A$.
+// So its density is known: $p_A = 1/A$. But this is a density per *area*. The
+// weight needs one per *solid angle*, because the integral is over
+// directions.
 //
-// A small piece $dA$ of the lamp is seen from $x$ under the solid angle
-// $d\omega$. Put a sphere of radius $d$ around $x$, through the piece. If the
-// piece faces $x$, it covers the area $dA$ of this sphere. If it is tilted by
-// $\theta'$, the angle between its normal $n'$ and the line back to $x$, it
-// covers only $\cos\theta'\,dA$. Scaled down to the unit sphere, areas are
-// $d^2$ times smaller:
+// Take a small patch $dA$ of the lamp, and ask what solid angle $d\omega$ it
+// fills when seen from $x$.
+//
+// 1. The patch may be tilted. Let $\theta'$ be the angle between the lamp's
+//    normal $n'$ and the line back to $x$. Seen from $x$, the patch looks as
+//    large as a patch of area $\cos\theta'\,dA$ that faces $x$.
+// 2. Project it on the sphere of radius 1 around $x$. All lengths shrink by
+//    $d$, so the area shrinks by $d^2$. And area on this sphere *is* solid
+//    angle.
 //
 // $$d\omega = \frac{\cos\theta'\,dA}{d^2}$$
 //
 // ![](area-to-angle)
 //
-// The probability of the piece is the same either way, $p(\omega)\,d\omega =
-// p_A\,dA$. Hence
+// The chance to choose this patch is the same, in whatever unit it is
+// measured. It is $p_A\,dA$, and it is $p(\omega)\,d\omega$:
 //
-// $$p(\omega) = \frac{1}{A}\,\frac{dA}{d\omega} = \frac{d^2}{A \cos\theta'}
-// \qquad
-// \frac{L_e}{p(\omega)} = L_e\,\frac{A \cos\theta'}{d^2}$$
+// $$p(\omega)\,d\omega = p_A\,dA \quad\Rightarrow\quad p(\omega) =
+// p_A\,\frac{dA}{d\omega} = \frac{1}{A} \cdot \frac{d^2}{\cos\theta'}$$
 //
-// Three factors, and each can be forgotten.
+// So the weight is
+//
+// $$\frac{L_e}{p(\omega)} = L_e\,\frac{A\,\cos\theta'}{d^2}$$
+//
+// Do not mix up the two cosines. The lamp's $\cos\theta'$ comes from the
+// change of density, and it is in the weight. The surface's $\cos\theta$ is
+// in the rendering equation, and `direct_light` multiplies by it below.
+//
+// Each of the three factors can be forgotten. Here is how that looks. Only
+// the picture without $A$ keeps the right shape, and it is the dangerous one:
+// it would be right for a lamp of area 1.
 //
 // ![](lamp-mistakes)
 //
-// The cross product of the two edges, `cross(edge_u, edge_v)`, is square to
-// the rectangle, and its length is the area, for a parallelogram too. Divided
-// by its length it is the lamp's normal. The lamp shines on that side only:
-// behind it $\cos\theta'$ is negative, and no light comes. The distance of
-// the sample is `distance * (1 + distance_rounding)`.
+// What the code needs: `cross(edge_u, edge_v)` is perpendicular to the lamp,
+// and its length is the area $A$, also for a parallelogram. Divided by its
+// length it is $n'$. The direction $\omega$ leads *to* the lamp, so
+// $\cos\theta' = -n' \cdot \omega$. Behind the lamp this is negative. The
+// back is black, so use 0 there.
 
 // #region rectangle-light
 inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
                                 const Vec2& u) {
   // #region exercise 2.2: rectangle light
-  // #stub return {Vec3(0, 0, 1), Vec3(0), 0};
+  // #stub return {{0, 0, 1}, Vec3(0), 0};
   const Vec3 point = light.corner + u.x * light.edge_u + u.y * light.edge_v;
   const Vec3 area_vector = cross(light.edge_u, light.edge_v);
   const float area = length(area_vector);
@@ -160,43 +207,94 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 }
 // #endregion rectangle-light
 
+// ## A point light is a lamp that has shrunk
+//
+// A lamp of area $A$ that faces $x$ has $\cos\theta' = 1$ and the weight
+// $L_e A/d^2$. Shrink it, and raise its radiance so that $L_e A$ stays the
+// same. Then the weight at $x$ stays the same, too. Let $A$ go to 0. The lamp
+// becomes a point, and the product is its intensity $I$:
+//
+// $$L_e\,\frac{A\,\cos\theta'}{d^2} \to \frac{I}{d^2}
+// \qquad \text{with } L_e\,A\,\cos\theta' \to I$$
+//
+// In the limit, the radiance $L_e$ is infinite and the density $p(\omega)$
+// is, too. Neither is a number that a program could hold. Only their
+// quotient, the weight, has a limit. So a `PointLight` stores $I$. One
+// difference remains: a flat lamp shines with $\cos\theta'$, and the point
+// light shines equally in all directions.
+//
+// ![](shrinking-lamp)
+//
 // ## A sphere that shines
 //
-// Points on its area would do, but more than half of them lie on the far
-// side. The visible share of the area is $(1 - r/d)/2$. So choose
-// *directions* instead. Seen from outside, a sphere of radius $r$ at the
-// distance $d$ fills a cone of half-angle $\theta_{max}$, with
-// $\sin\theta_{max} = r/d$. All directions in the cone hit the lamp.
+// A uniform point on the sphere's area would be right here, too, but
+// wasteful. From $x$, at the distance $d$ from the center, only a cap of the
+// sphere is visible. Its edge is where the lines of sight touch the sphere.
+// There the radius is perpendicular to the line, so the angle $\alpha$ at the
+// center has $\cos\alpha = r/d$. A cap's share of the sphere's area is
+//
+// $$\frac{1 - \cos\alpha}{2} = \frac{1}{2}\left(1 - \frac{r}{d}\right)$$
+//
+// This is always less than half. At $d = 2r$ it is a quarter: three of four
+// points would bring nothing.
+//
+// ![](visible-share)
+//
+// So choose *directions* instead, uniformly in the cone that the sphere fills
+// as seen from $x$. Its half-angle is $\theta_{max}$. The same touching line
+// gives $\sin\theta_{max} = r/d$. All directions in the cone hit the lamp.
+//
+// For the rule, write the solid angle in angles, as in stage 1:
+//
+// $$d\omega = \sin\theta\,d\theta\,d\phi = d(1 - \cos\theta)\,d\phi$$
+//
+// Equal steps of $1 - \cos\theta$ are equal steps of solid angle. So
+// $1 - \cos\theta$ must be uniform, from 0 on the axis to
+// $1 - \cos\theta_{max}$ at the edge. This is *inversion sampling* of the
+// cone:
+//
+// $$1 - \cos\theta = \xi_1\,(1 - \cos\theta_{max}) \qquad
+// \phi = 2\pi\,\xi_2$$
+//
+// With $\theta_{max} = 90$ degrees it is the rule of the hemisphere. The
+// cone's solid angle is $\Omega_c$, the density is one over it, and so
+//
+// $$\Omega_c = 2\pi\,(1 - \cos\theta_{max}) \qquad
+// \frac{L_e}{p(\omega)} = L_e\,\Omega_c$$
+//
+// The method is by Shirley, Wang and Zimmerman ("Monte Carlo Techniques for
+// Direct Lighting Calculations", ACM TOG 15(1), 1996). The weight is a
+// constant. What is still random is the cosine at the surface, and whether
+// something is in the way.
 //
 // ![](lamp-cone)
 //
-// The cone's rule is the one of the hemisphere, with another end. The CDF of
-// $\theta$ is $1 - \cos\theta$, and it must be 1 at $\theta_{max}$:
+// The code needs $\sin\theta$, too. Write $c = \cos\theta$. Then
+// $\sin^2\theta = 1 - c^2 = (1 - c)(1 + c)$, and $1 - c$ is known already.
+// `Basis(axis)` takes a unit vector and makes a coordinate system with this
+// vector as its z axis. Its `to_world` turns
+// $(\sin\theta \cos\phi, \sin\theta \sin\phi, \cos\theta)$ into a direction
+// of the scene. Here the axis leads to the center.
 //
-// $$\frac{1 - \cos\theta}{1 - \cos\theta_{max}} = \xi \quad\Rightarrow\quad
-// 1 - \cos\theta = \xi\,(1 - \cos\theta_{max})$$
+// Where does this direction meet the sphere? Walk along it. After
+// $d\cos\theta$ the center is nearest, and it is $d\sin\theta$ away. From
+// there back to the surface is half a *chord*, by Pythagoras. So the distance
+// to the first point on the sphere is
 //
-// The cone has the solid angle $\Omega_c = 2\pi\,(1 - \cos\theta_{max})$. So
-// the density is $1/\Omega_c$, and the weight is $L_e\,\Omega_c$ (Shirley,
-// Wang and Zimmerman, "Monte Carlo Techniques for Direct Lighting
-// Calculations", ACM TOG 15(1), 1996). The lamp itself adds no noise to this;
-// only the cosine at the surface and the edge of the shadow do.
+// $$d\cos\theta - \sqrt{r^2 - d^2\sin^2\theta}$$
 //
-// One trap: the lamp may be far away. Then $\cos\theta_{max}$ is 1 in
-// `float`, and $1 - \cos\theta_{max}$ is 0. Compute the difference without
-// the subtraction. With $c = \cos\theta$ and $\sin^2\theta = (1 - c)(1 + c)$,
+// At the edge of the cone there is 0 under the root, and rounding can make it
+// negative. So take the larger of it and 0. And if $x$ is inside the lamp,
+// there is no cone. The lamp shines outwards, so the answer is black: any
+// unit direction, the weight 0, the distance 0.
 //
-// $$1 - \cos\theta_{max} = \frac{\sin^2\theta_{max}}{1 + \cos\theta_{max}}
-// \qquad \sin^2\theta = (1 - c)(1 + c)$$
+// The last aside about `float`. If the lamp is far away, $\cos\theta_{max}$
+// is rounded to 1. Then $1 - \cos\theta_{max}$ is 0, and the lamp goes out.
+// But $s = \sin^2\theta_{max} = r^2/d^2$ has all its digits. Divide
+// $(1 - c)(1 + c) = s$ by $1 + c$, where now
+// $c = \cos\theta_{max} = \sqrt{1 - s}$:
 //
-// The direction hits the sphere where? The line of sight comes closest to the
-// center after $d\cos\theta$. There it is $d\sin\theta$ beside the center.
-// Half the chord in the sphere is $\sqrt{r^2 - d^2\sin^2\theta}$, and the
-// near end is that much earlier. Inside the lamp there is no light, since it
-// shines outwards: the weight is 0.
-//
-// Given are the first lines, up to `one_minus_cos_max`. Write the direction
-// and the sample. `Basis(to_center / distance)` has the cone's axis as z.
+// $$1 - \cos\theta_{max} = \frac{s}{1 + \sqrt{1 - s}}$$
 
 // #region sphere-light
 inline LightSample sample_light(const SphereLight& light, const Vec3& x,
@@ -205,12 +303,12 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
   const float squared_distance = dot(to_center, to_center);
   const float squared_radius = light.radius * light.radius;
   if (squared_distance <= squared_radius) return {{0, 0, 1}, Vec3(0), 0};
+  // #region exercise 2.3: sphere light
+  // #stub return {normalize(to_center), Vec3(0), 0};
   const float distance = std::sqrt(squared_distance);
   const float sin2_max = squared_radius / squared_distance;
   const float one_minus_cos_max = sin2_max / (1 + std::sqrt(1 - sin2_max));
 
-  // #region exercise 2.3: sphere light
-  // #stub return {to_center / distance, Vec3(0), 0};
   const float one_minus_cos = u.x * one_minus_cos_max;
   const float cos_theta = 1 - one_minus_cos;
   const float sin2_theta = one_minus_cos * (1 + cos_theta);
@@ -230,19 +328,34 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 
 // ## Direct light
 //
-// Now ask all lights. The share of one is $f_r \cos\theta$ times its weight,
-// or 0 if something is in the way. The shares are added up, as on the slides.
+// Now ask all lights of the scene, and add up their answers, as on the
+// slides. Each light adds $f_r \cos\theta$ times its weight, with $\theta$
+// between the surface's normal and the direction to the light. There are two
+// reasons to add nothing:
 //
-// - `leave(surface.hit, surface.normal)` is the place from which the light is
-//   seen.
-// - `sample_light(light, x, random.uniform_2d())` asks a light of any kind.
-// - `dot(surface.normal, to_light.direction)` is $\cos\theta$. If it is not
-//   positive, the light is below the horizon and brings nothing. With
-//   $|\cos\theta|$ instead, thin walls would glow.
-// - `scene.reaches(shadow_ray, to_light.distance, light)` is true if the ray,
-//   made by `spawn_ray`, meets nothing but this light up to that distance.
+// - The light is *below the horizon*, $\cos\theta \le 0$. Then no shadow ray
+//   is needed. Do not use $|\cos\theta|$, or light shines through thin walls.
+// - The shadow ray meets something else before the light.
 //
-// ![](no-shadow)
+// ![](three-answers)
+//
+// These parts of the core do the rest:
+//
+// - `leave(hit, direction)` gives the point where a ray starts that leaves
+//   the surface in this direction. Look at the lights from there, with the
+//   normal as the direction.
+// - `spawn_ray(hit, direction)` gives the ray that starts at this point.
+// - `scene.reaches(ray, distance, light)` is true if the ray meets nothing
+//   before `distance`, or only this light.
+// - `random.uniform_2d()` draws the two numbers for `sample_light`.
+// - `is_black(weight)` is true if all three channels are 0. Such a light
+//   needs no shadow ray, either.
+//
+// The function `sample_light` for a `Light` calls the one of the three above
+// that fits. The pictures show what is wrong without shadow rays, and without
+// the surface's cosine.
+//
+// ![](direct-mistakes)
 
 // #region direct-light
 /// A point on any light, as seen from `x`. `u` is uniform in [0, 1)^2.
@@ -276,24 +389,38 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 
 // ## Counted once
 //
-// The path still runs into lamps. Has their light been counted already? It
-// has if both are true: direct light was added at the surface before, and
-// this lamp is one of the lights that were asked.
+// The path goes on in a random direction, and it still runs into emitters.
+// Should their emission be added? The light must be counted exactly once:
+// either by the question at the vertex before, or by the hit. Two things
+// decide.
+//
+// *What happened at the vertex before?* If it asked the lights, it may have
+// this light already. If the camera looks straight at the lamp, there was no
+// vertex before, and nobody has asked.
+//
+// *What was hit?* The scene's list of lights has its rectangles and spheres
+// that emit. These were asked. A plane that emits has no end, so no point on
+// it can be chosen uniformly. Triangles are not asked here, either. Only a
+// hit can find those two.
 //
 // ![](who-counts)
 //
-// - The camera may look straight at a lamp. There was no surface before, so
-//   nothing was added, and the lamp counts.
-// - Some lamps cannot be asked. A plane has no end, so no point on it can be
-//   chosen uniformly, and triangles are not asked here either. They count.
-//
-// If a lamp counts in both places, the direct light doubles. If a lamp that
-// was asked never counts when it is hit, the camera sees a black lamp.
+// Get one of the four cells wrong, and you see it. If a lamp counts in both
+// places, everything but the lamp itself is twice as bright. It is also
+// noisy, because the second half is found by chance, as in stage 1. If a hit
+// never counts, the camera sees a black lamp.
 //
 // ![](counted)
 //
-// `surface.hit.light` points to the scene's light that was hit, and is null
-// where the shape is none of them.
+// The fourth cell is the one that people forget. Take an emitter that cannot
+// be asked for one that was, and its light counts in *neither* place. A room
+// under a ceiling that shines is then black.
+//
+// ![](counted-in-neither)
+//
+// So the rule has two conditions. Every hit has a pointer `hit.light` to the
+// light that was hit. It is null if the shape is not in the scene's list of
+// lights.
 
 // #region counted-once
 /// Whether `direct_light`, added at the surface before, has this emission in
@@ -308,40 +435,27 @@ inline bool is_counted(const Surface& surface, bool direct_light_added) {
 
 // ## The path
 //
-// The loop is stage 1's, with a `sum` beside the throughput. At each surface
-// it adds the direct light, times the throughput. Direct light is a bounce
-// too: that of a path whose last direction leads to the light. So it comes
-// after the test of `max_bounces`. Then equal bounds give equal pictures in
-// stages 1 and 2, up to noise, wherever the lights can be hit.
+// The loop is stage 1's. It has a `sum` beside the throughput, because a path
+// now adds light at each vertex and not only at its end. The new lines are
+// these:
 //
-// ![](next-event)
+// 1. At an emitter, add the throughput times its emission if it is not
+//    counted yet. Then the path ends.
+// 2. If `bounce` is `max_bounces_`, the path ends.
+// 3. Otherwise add the throughput times the direct light, and note in
+//    `direct_light_added` that it was added.
 //
-// Why the flag `direct_light_added`, and not simply `bounce > 0`? From stage
-// 3 on there are surfaces at which the lights are not asked.
+// Wherever the path ends, it returns the sum. Do not return 0 where a ray
+// leaves the scene: what was gathered before would be lost.
 //
-// One path of the program, as before. At the first wall the lamp is reached,
-// and (0.137, 0.123, 0.109) is added. At the second the light comes from
-// behind. At the third the bound ends the path.
+// Why does the bound come before the direct light? Direct light is a bounce,
+// too: the surface scatters it once. With `max_bounces` 0 there must be none.
+// Then stages 1 and 2 give the same expected picture for the same bound, in
+// each scene that stage 1 can read.
 //
-//     $ build/stage2 scenes/cornell_box_lamp_diffuse.toml
-//     > --max-bounces 2 --pixel 60,150 --sample 1
-//     ...
-//     vertex 0: plane[4] of 'white', bounce 0
-//     ...
-//       light      (  0.3068,   0.7229,  -0.6191)  at 1.733: reached
-//       adds       (   0.137,    0.123,    0.109)  direct light
-//     ...
-//     vertex 1: plane[3] of 'white', bounce 1
-//     ...
-//       throughput (     0.8,      0.8,      0.8)
-//     ...
-//     vertex 2: plane[0] of 'red', bounce 2
-//     ...
-//       ends       at the bound of 2 bounces
-//     ...
-//
-// Write the part of the loop between the log and the next direction: what an
-// emitter adds, where the path ends, and the direct light.
+// Why a flag, and not just `bounce > 0`? In this program they are the same.
+// But the flag says the reason: what matters is whether the vertex before
+// asked the lights.
 
 // #region path
 class PathTracer {
@@ -364,7 +478,7 @@ class PathTracer {
       log_vertex(surface, throughput, sum, bounce);
 
       // #region exercise 2.6: the loop with direct light
-      // #stub return sum;
+      // #stub if (bounce == max_bounces_ || direct_light_added) return sum;
       // An emitter ends the path, and counts if it has not been counted.
       if (surface.material.emits()) {
         if (!is_counted(surface, direct_light_added)) {
@@ -394,13 +508,91 @@ class PathTracer {
 };
 // #endregion path
 
+// ## Follow one path with numbers
+//
+// The option `--pixel` prints what happens along one path of a pixel, and
+// `--sample` chooses the path. This one starts on the floor, in the shadow of
+// the left ball. Vertex 0 asks the lamp, but the ball is in the way, so it
+// adds nothing. The path goes on to the red wall. Vertex 1 asks again, and
+// its shadow ray reaches the lamp.
+//
+// ![](told-path)
+//
+// Check the red channel of vertex 1 by hand, with the numbers that the
+// program prints. The lamp's normal is $(0, -1, 0)$, so $\cos\theta'$ is the
+// second coordinate of the direction, 0.8801. The lamp has $L_e = 10$ and
+// $A = 0.36$, so the weight is
+//
+// $$10 \cdot \frac{0.36 \cdot 0.8801}{2.104^2} \approx 0.716$$
+//
+// The wall's normal is $(1, 0, 0)$, so $\cos\theta$ is the first coordinate,
+// 0.4086. With the throughput 0.8 and $f_r = 0.8/\pi$, the path adds
+//
+// $$0.8 \cdot \frac{0.8}{\pi} \cdot 0.4086 \cdot 0.716 \approx 0.0596$$
+//
+// At vertex 2 the path hits the lamp by chance. Vertex 1 asked this lamp, so
+// nothing is added. Stage 1 would have added $0.64 \cdot 10 = 6.4$ here, and
+// nothing anywhere else. Such rare large terms are its noise.
+//
+//     $ build/stage2 scenes/cornell_box_lamp_diffuse.toml
+//     > --pixel 50,225 --sample 31
+//     ...
+//     vertex 0: plane[2] of 'white', bounce 0
+//     ...
+//       light      (  0.2626,   0.9461,  -0.1895)  at 2.103: blocked
+//       adds       (       0,        0,        0)  direct light
+//     ...
+//     vertex 1: plane[0] of 'red', bounce 1
+//     ...
+//       kd         (     0.8,      0.2,      0.2)
+//       throughput (     0.8,      0.8,      0.8)
+//       light      (  0.4086,   0.8801,  -0.2419)  at 2.104: reached
+//       adds       ( 0.05957,   0.0134,  0.01191)  direct light
+//     ...
+//     vertex 2: rectangle[0] of 'lamp', bounce 2
+//     ...
+//       throughput (    0.64,     0.16,     0.16)
+//       adds       nothing: this lamp was counted at the vertex before
+//       ends       at a lamp
+//     radiance of this sample = (0.0595667, 0.0134025, 0.0119133)
+//
+// ## Stage 2 minus stage 1 is noise
+//
+// Both stages estimate the same integral. So the difference of their pictures
+// must be noise around 0, without any shape of the room. Type this, with any
+// scene that both can read:
+//
+//     make diff A=stage2 B=stage1 SCENE=scenes/cornell_box_lamp_diffuse.toml
+//
+// It renders both pictures and compares their means, in the whole picture and
+// in small regions. It also prints the variance of A over that of B. The same
+// test finds a mistake: count the lamp twice, and the room can be seen in the
+// difference.
+//
+// ![](stage-2-minus-1)
+//
+// ## Direct light, and the rest
+//
+// Now paint the box under the point light that stage 1 could not read:
+//
+//     build/stage2 scenes/cornell_box_point_diffuse.toml -o box.png
+//
+// With `--max-bounces 1` you see the direct light alone, and the shadows are
+// black. What is in the shadows in the other pictures came over the walls.
+// Look for red light beside the red wall.
+//
 // ![](direct-and-all)
 //
-// Check it: stage 1 and stage 2 must differ by noise alone. This command
-// renders both and says so.
+// ## What remains
 //
-//     make diff A=stage1 B=stage2 SCENE=scenes/cornell_box_lamp_diffuse.toml
+// Three kinds of noise are left. The indirect light is still found by random
+// directions. At the soft edge of a shadow, the *penumbra*, only some of the
+// points on the lamp are visible. And close to a rectangle its weight has no
+// bound, because $d^2$ goes to 0: a wall that touches a lamp can have bright
+// specks. There a random direction would be the better estimator. To combine
+// the two is *multiple importance sampling* (Veach 1997, chapter 9).
 //
-// What remains? Every material is diffuse. Mirrors and glass come next.
-//
+// There is a cost, too: one shadow ray for each light at each vertex. With a
+// thousand lights one would ask a few of them, chosen at random.
+
 }  // namespace lightwalk::stage2

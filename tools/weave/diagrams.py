@@ -97,29 +97,6 @@ def next_event():
     yield text(440, 290, "3")
 
 
-@diagram("area-to-angle", 440, 290)
-def area_to_angle():
-    x, y = 130, 250
-    yield line(30, y, 300, y, INK, 2)
-    yield f'<path d="M{x} {y} L286 62 L334 92z" fill="#fdf0c8"/>'
-    yield line(286, 62, 334, 92, WARM, 5)
-    yield text(346, 92, "dA", WARM, "start", "italic")
-    yield line(310, 77, 270, 141, WARM, 1.6, True)
-    yield text(256, 150, "n′", WARM, style="italic")
-    yield line(x, y, 310, 77, INK, 1.2, False, "5 4")
-    yield text(222, 186, "d", style="italic", anchor="start")
-    yield arc(310, 77, -148, -133.9, 46, WARM)
-    yield text(264, 112, "θ′", WARM, style="italic", anchor="end")
-    yield ray(x, y, 0, 120, INK)
-    yield text(x - 14, y - 112, "n", style="italic")
-    yield arc(x, y, 0, 46, 44)
-    yield text(*polar(x, y + 4, 20, 60), "θ", style="italic")
-    yield arc(x, y, 39.7, 52.2, 84, COOL)
-    yield text(*polar(x, y + 6, 58, 96), "dω", COOL, "start", "italic")
-    yield circle(x, y, 4)
-    yield text(x, y + 24, "x", style="italic")
-
-
 @diagram("snell", 520, 270)
 def snell():
     for x, angle in ((95, 25), (260, 41.81), (425, 60)):
