@@ -2,16 +2,19 @@
 
 // # Stage 3: perfect mirrors and glass
 //
-// A diffuse wall scatters light in all directions, wherever it came from. A
-// mirror does not: what arrives from one direction leaves in one direction.
-// Glass lets light through, and bends it. This stage adds both, and materials
-// that are several things at once.
+// So far light forgot, at each surface, where it came from. A mirror does not
+// forget: what arrives from one direction leaves in one direction. Glass lets
+// light through, and bends it. This stage adds both, and materials that do
+// several of these things at once.
+//
+// Each way in which a material sends light on is called a *lobe*. Stage 1 had
+// one, the diffuse lobe. Now there are three: diffuse, *specular* (the
+// mirror), and *refraction* (the glass). Paint the left picture:
+//
+//     make stage3 && build/stage3 scenes/cornell_box_point.toml -o box.png
 //
 // ![](glass-and-lights)
-//
-// Each way in which a material sends light on is called a *lobe*. There are
-// three now: diffuse, specular (the mirror), and refraction (the glass).
-//
+
 #include <array>
 
 #include "stages/2_next_event/path_tracer.hpp"
@@ -23,70 +26,86 @@ using stage1::emitted;
 using stage2::direct_light;
 using stage2::is_counted;
 
-// ## A mirror is a very thin cone
+// ## A mirror is the limit of a thin cone
 //
-// What is the BRDF of a mirror? Begin with a surface that is not quite one.
-// It shows all directions within a thin cone around the mirror direction
-// $\omega_r$. The cone has the solid angle $\varepsilon$. Inside it the BRDF
-// is a large constant, outside it is 0.
+// A diffuse bounce draws $\omega_i$ at random. At a perfect mirror this
+// fails. Light reaches $\omega_o$ from one direction only, the *mirror
+// direction* $\omega_r$, and a random direction is never exactly that one. So
+// $f_r$ is 0 in every sample, and the mirror is black.
+//
+// Begin with a surface that is nearly a mirror. It reflects light from a thin
+// cone of directions around $\omega_r$. The cone has the solid angle
+// $\varepsilon$. Inside it $f_r$ is a constant, outside it $f_r$ is 0.
 //
 // ![](mirror-cone)
-//
-// The surface gives back the fraction $k_s$ of the light. Let $L_i = 1$, and
-// $\theta$ nearly constant in the thin cone:
+// How large is the constant? The surface returns the fraction $k_s$ of the
+// light. Let $L_i = 1$ from everywhere, as for $k_d/\pi$ in stage 1. In a
+// thin cone $\cos\theta$ hardly changes, so it leaves the integral:
 //
 // $$k_s = \int_\Omega f_r \cos\theta\,d\omega = f_r \cos\theta\,\varepsilon
 // \quad\Rightarrow\quad f_r = \frac{k_s}{\varepsilon \cos\theta}$$
 //
-// Sample a direction uniformly in this cone. The density is $p =
-// 1/\varepsilon$, and the weight of the bounce is
+// Cosine sampling finds this cone with the probability $\varepsilon
+// \cos\theta / \pi$. For $\varepsilon = 0.001$ that is at most one path in
+// 3,142, and for $\varepsilon = 0$ it is none. But we know where the cone is.
+// Draw the direction uniformly *in the cone*, with the density
+// $p = 1/\varepsilon$:
 //
 // $$\frac{f_r \cos\theta}{p}
 // = \frac{k_s}{\varepsilon\cos\theta}\,\cos\theta\,\varepsilon = k_s$$
 //
-// The solid angle $\varepsilon$ cancels, and so does the cosine. Now let
-// $\varepsilon$ go to 0. The cone becomes one direction, and the weight stays
-// $k_s$. That is all of a mirror: compute $\omega_r$, and multiply by $k_s$.
+// Solid angle and cosine cancel. Let $\varepsilon$ go to 0: the cone shrinks
+// to $\omega_r$, and the weight stays $k_s$. So a mirror needs no random
+// number. Compute $\omega_r$, and multiply by $k_s$.
 //
-// A function that is 0 except in one direction, and yet has the integral 1,
-// is called a *Dirac delta*. The slide "Perfect specular (delta BRDF)
-// sampling" writes the limit with it:
+// ## The Dirac delta
 //
-// $$f_r(x, \omega_i, \omega_o) = k_s\,
+// In the limit $f_r$ is 0 except in one direction, and its integral stays
+// what it was. The name for such a limit is *Dirac delta*,
+// $\delta_{\omega_r}$. It is defined by what it does in an integral: $\int
+// g(\omega)\, \delta_{\omega_r}(\omega)\,d\omega = g(\omega_r)$. The slide
+// "Perfect specular (delta BRDF) sampling" writes the mirror with it, for
+// $k_s = 1$:
+//
+// $$f_r(x, \omega_i, \omega_o) =
 // \frac{\delta_{\omega_r}(\omega_i)}{\omega_i \cdot n},
 // \qquad p(\omega_r) = 1$$
 //
-// The 1 is a *probability*, not a density: the direction is certain. The
-// cosine below the delta cancels the one of the rendering equation. So a
-// mirror shows things as bright as they are, at the rim as in the middle.
+// The delta stands for the cone's $1/\varepsilon$. The 1 is not a density:
+// the density grew without bound and canceled. What is left is a
+// *probability*. The direction is certain.
+//
+// The slide "Diffuse and specular BRDFs" has what the equation integrates:
+// $f_r\,|n \cdot \omega_i| = \frac{k_d}{\pi}\,|n \cdot \omega_i|$ if diffuse.
+// For a mirror it is $f_r\,|n \cdot \omega_i| = 1$ in one direction, and
+// $f_r\,|n \cdot \omega_i| = 0$ in all others. This 1 is the integral over
+// the delta, not a value of it.
+//
+// The cosine under the delta cancels the cosine of the rendering equation. So
+// a mirror shows things as bright as they are, at its rim as in its middle.
 // Multiply by the cosine all the same, and mirror balls get dark rims.
 //
 // ![](mirror-mistakes)
 //
-// Two things follow from the limit. A direction that is drawn at random never
-// lies in the cone of size 0: cosine sampling would render mirrors black. And
-// the direction to a light never does either: at a mirror, next-event
-// estimation brings nothing.
-//
 // ## The mirror direction
 //
-// Split `wo` into two parts: the part along the normal, $(\omega_o \cdot
-// n)\,n$, and the rest, which lies in the surface. A mirror keeps the first
-// and turns the second around:
+// Split `wo` into two parts: the part along the normal,
+// $(\omega_o \cdot n)\,n$, and the rest, which lies in the surface. A mirror
+// keeps the first part and turns the second around:
 //
 // $$\omega_r
 // = (\omega_o \cdot n)\,n - \big(\omega_o - (\omega_o \cdot n)\,n\big)
 // = 2n\,(\omega_o \cdot n) - \omega_o$$
 //
 // ![](mirror-parts)
-//
 // The slide has $\omega_r = \omega_o - 2n\,(\omega_o \cdot n)$. There
 // $\omega_o$ points *at* the surface, as the ray does. Here `wo` points away
-// from it, so the sign is the other one. With the wrong sign the ray goes on
-// through the mirror.
+// from it, so the sign is the other one. With the slide's sign the ray goes
+// on through the mirror.
 
 // #region reflect
-/// `wo` mirrored at the normal; both point away from the surface. Units stay.
+/// `wo` mirrored at the normal; both point away from the surface.
+/// The mirror image of a unit vector is a unit vector.
 inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
   // #region exercise 3.1: mirror direction
   // #stub return normal;
@@ -97,51 +116,59 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 
 // ## Refraction
 //
-// Glass lets light through, into one direction $\omega_t$ on the other side.
-// It is a delta again:
+// Light is slower in glass, and so it bends where it enters. The *index of
+// refraction* $\eta$ says how much slower: 1 for air, 1.5 for window glass.
+// The path goes on behind the surface, in one direction $\omega_t$. So this
+// lobe is a delta, too:
 //
 // $$f_r(x, \omega_i, \omega_o) =
-// k_t\,\frac{\delta_{\omega_t}(\omega_i)}{|\omega_i \cdot n|}$$
+// \frac{\delta_{\omega_t}(\omega_i)}{|\omega_i \cdot n|},
+// \qquad p(\omega_t) = 1$$
 //
-// The bars matter now, because $\omega_t$ is behind the surface and $\omega_i
-// \cdot n$ is negative. The integral runs over the whole sphere.
+// The bars are new: behind the surface $\omega_i \cdot n$ is negative. The
+// integral of the rendering equation now runs over the whole sphere.
 //
-// Light is slower in glass, by the *index of refraction* $\eta$: 1 for air,
-// 1.5 for window glass. So it bends. Let $\eta_o$ be the index on the side of
-// `wo`, and $\eta_i$ the one behind. *Snell's law* (slide "Perfect
-// refraction") is
+// Let $\eta_o$ be the index on the side of `wo`, and $\theta_o$ the angle
+// between `wo` and $n$. Let $\eta_i$ be the index behind the surface, and
+// $\theta_i$ the angle between $\omega_t$ and $-n$. *Snell's law* (slide
+// "Perfect refraction (delta BTDF) sampling") is
 //
 // $$\eta_i \sin\theta_i = \eta_o \sin\theta_o \quad\Rightarrow\quad
 // \sin\theta_i = \frac{\eta_o}{\eta_i} \sin\theta_o$$
 //
 // ![](refraction-parts)
-//
-// The new direction has two parts again. The part in the surface is that of
-// `wo`, turned around and scaled: its length was $\sin\theta_o$ and must be
-// $\sin\theta_i$, so the factor is $\eta_o/\eta_i$. The part along the normal
-// is $-\cos\theta_i\,n$, since it goes down:
+// Split `wo` as before. The part in the surface, $\omega_o - \cos\theta_o\,
+// n$, has the length $\sin\theta_o$. It is turned around, and its length must
+// become $\sin\theta_i$, so it is scaled by $\eta_o/\eta_i$. The part along
+// the normal points down and has the length $\cos\theta_i$:
 //
 // $$\omega_t = -\frac{\eta_o}{\eta_i}\,(\omega_o - \cos\theta_o\,n)
 // - \cos\theta_i\,n, \qquad \cos\theta_i = \sqrt{1 - \sin^2\theta_i}$$
 //
-// This has unit length by its formula. Rounding spoils that a little with
-// every bounce, so it is normalized.
+// This is a unit vector, but for rounding, so normalize it.
 //
-// On the way *out* of glass the ratio is 1.5. Where $\sin\theta_o$ is above
-// $1/1.5$, which is beyond 41.8 degrees, $\sin\theta_i$ would be above 1. No
-// such direction exists. All light is reflected, and this is *total internal
-// reflection*. The angle is the *critical angle*.
+// ## Total internal reflection
+//
+// Follow the path from the camera on. Where it goes *into* glass,
+// $\eta_o/\eta_i$ is $1/1.5$, and there is always a $\theta_i$. Where it goes
+// *out* the ratio is 1.5. Beyond 41.8 degrees $\sin\theta_o$ is above
+// $1/1.5$, and $\sin\theta_i$ would be above 1. No such direction exists.
 //
 // ![](snell)
+// So the path cannot leave. It goes on in the mirror direction and stays in
+// the glass: *total internal reflection*. The angle is the *critical angle*.
+// Through the cone within it, an eye in the glass sees everything outside.
 //
-// Write `refract`. It returns nothing (`std::nullopt`) where all is
-// reflected. Use $\sin^2\theta_o = 1 - \cos^2\theta_o$. It may come out a
-// little below 0 by rounding, so take the larger of it and 0.
+// ![](critical-cone)
+// A tracer that ends the path there paints black glass. A ball hides it: a
+// path meets the wall at the angle that it was bent to on entering, and gets
+// out. A cube shows it.
 //
-// `relative_eta` gives $\eta_o/\eta_i$. The shape's own normal,
-// `surface.hit.normal`, points outside, where the index is 1. If `surface.wo`
-// is on its side, the path is outside: the ratio is $1/\eta$. Otherwise it is
-// inside, and the ratio is $\eta$.
+// ![](cube-mistakes)
+// `relative_eta` returns $\eta_o/\eta_i$. The shape's normal,
+// `surface.hit.normal`, points outside, where the index is 1. If `wo` is on
+// its side, the path is outside. Do not ask `surface.normal`, which is turned
+// to `wo`: every path would be outside.
 
 // #region refract
 /// The direction behind the surface that `wo` is bent to, or nothing where
@@ -175,76 +202,88 @@ inline float relative_eta(const Surface& surface) {
 //
 // ## What refraction does to radiance
 //
-// Light that enters glass is squeezed into a narrower cone. All of the
-// hemisphere outside ends up within 41.8 degrees of the normal. The same
-// power in a narrower cone is a larger radiance. By how much?
+// Put the camera in the glass. The hemisphere outside appears in the critical
+// cone. The same light comes from fewer directions, so each must bring more
+// radiance. A first guess divides the solid angles, $2\pi$ by $2\pi\,(1 -
+// \cos 41.8^\circ) = 1.60$. The ratio is 3.93, and it is wrong.
 //
-// What counts for power is solid angle times cosine. Over the hemisphere
-// outside its integral is $\pi$, as in stage 1. Over the cone inside, with
-// the critical angle $\theta_c$,
+// Power counts solid angle *times cosine*, because a tilted beam is spread
+// over more surface. Stage 1 has the picture: seen from above, a direction is
+// a point on a disk, $\sin\theta$ from the center, and areas on the disk are
+// $\cos\theta\,d\omega$. Snell's law multiplies the sine, so it scales the
+// disk. The hemisphere fills radius 1 and the area $\pi$. The cone fills
+// radius $1/1.5$ and the area $\pi/1.5^2 = \pi/2.25$.
 //
-// $$\int_0^{2\pi}\!\!\int_0^{\theta_c} \cos\theta \sin\theta\,d\theta\,d\phi
-// = \pi \sin^2\theta_c = \frac{\pi}{1.5^2} = \frac{\pi}{2.25}$$
+// ![](radiance-disks)
+// The same holds for each small piece of the disk:
 //
-// ![](critical-cone)
+// $$\cos\theta_i\,d\omega_i = \sin\theta_i \cos\theta_i\,d\theta_i\,d\phi
+// = \tfrac{1}{2}\,d(\sin^2\theta_i)\,d\phi
+// = \left(\frac{\eta_o}{\eta_i}\right)^2 \cos\theta_o\,d\omega_o$$
 //
-// The power is the same, so the radiance inside is 2.25 times the one
-// outside. In general (Veach 1997, section 5.2), seen along the path,
+// The first step is stage 1's $d\omega$, the last is Snell's law squared. An
+// area of the surface passes on the power that it gets, times $k_t$: $L_o
+// \cos\theta_o\,d\omega_o = k_t\,L_i \cos\theta_i\,d\omega_i$. Divide (Veach
+// 1997, section 5.2):
 //
 // $$L_o = k_t \left(\frac{\eta_o}{\eta_i}\right)^2 L_i$$
 //
-// Think of the camera. If it is *in* the glass and looks out, $\eta_o = 1.5$,
-// and the world looks 2.25 times as bright. If a lamp is in the glass and the
-// camera outside, the lamp looks 2.25 times darker. A path that enters a ball
-// and leaves it gets both factors, and they cancel. This is why the slides
-// can leave the square out.
+// So a lamp looks 2.25 times as bright if the camera alone is in the glass.
+// If the lamp alone is in the glass, its radiance is divided by 2.25. If both
+// are outside, the path goes in and out, and the factors cancel. The slides
+// leave the square out, and are right for this case. Total internal
+// reflection stays on one side, so its weight is $k_t$ without the square.
 //
 // ![](total-reflection)
 //
-// One path of the program shows it. The ball has $k_t = 0.9$. Where the path
-// enters, the weight is $0.9/2.25 = 0.4$. Where it leaves, it is $0.9 \cdot
-// 2.25 = 2.025$. The product of both is $0.81$, the throughput at vertex 5.
+// ## One path with numbers
 //
-//     $ build/stage3 scenes/cornell_box_point.toml --max-bounces 2
+// This path enters the glass ball, leaves it, and meets the floor. The ball
+// has $k_t = 0.9$ and $k_s = 0.1$, so each hit sends two rays on.
+//
+//     $ build/stage3 scenes/cornell_box_point.toml --max-bounces 3
 //     > --pixel 170,200 --sample 3
 //     ...
-//     vertex 0: sphere[1] of 'glass', bounce 0
+//       normal     ( -0.5382,   0.4187,  -0.7315)  the path is outside
+//       wo         ( -0.1091,   0.1851,  -0.9766)
 //     ...
-//       goes on    ( -0.8064,   0.5273,  -0.2677)  specular
-//       weight     (     0.1,      0.1,      0.1)  to vertex 1
 //       goes on    (  0.2716,  -0.2781,   0.9214)  refraction
-//       weight     (     0.4,      0.4,      0.4)  to vertex 3
+//       weight     (     0.4,      0.4,      0.4)  to vertex 4
 //     ...
-//       vertex 3: sphere[1] of 'glass', bounce 1
+//       vertex 4: sphere[1] of 'glass', bounce 1
 //     ...
 //         goes on    (  0.4237,  -0.3605,   0.8310)  refraction
-//         weight     (   2.025,    2.025,    2.025)  to vertex 5
-//     ...
-//         vertex 5: plane[2] of 'white', bounce 2
+//         weight     (   2.025,    2.025,    2.025)  to vertex 8
 //     ...
 //           throughput (    0.81,     0.81,     0.81)
+//           light      ( -0.4413,   0.8195,  -0.3656)  at 1.83: reached
+//           adds       ( 0.05046,  0.05046,  0.05046)  direct light
 //     ...
+//     radiance of this sample = (0.06553, 0.05423, 0.05423)
+//
+// At vertex 0 the dot product of `wo` and the normal is 0.851, so
+// $\sin\theta_o = 0.526$. Snell's law divides it by 1.5: 0.351. The refracted
+// direction has $\omega_t \cdot n = -0.937$, and $0.351^2 + 0.937^2 = 1$. The
+// weight is $0.9/2.25 = 0.4$. On the way out it is $0.9 \cdot 2.25 = 2.025$,
+// and the product is 0.81.
+//
+// The floor has $k_d = 0.8$, and the light the intensity 1. Direct light adds
+// $0.81 \cdot (0.8/\pi) \cdot 0.8195 / 1.83^2 = 0.0505$. The rest of the sum,
+// 0.0151 in red, comes by the branch that was mirrored at vertex 0.
 //
 // ## The full BSDF
 //
-// One material may be all three at once (slide "The full BSDF"; with
-// transmission the BRDF is called *BSDF*, S for scattering):
+// With refraction the BRDF is called *BSDF*: S is for scattering. One
+// material may have all three lobes (slide "The full BSDF"):
 //
 // $$f_r = k_d\,\frac{1}{\pi}
-// + k_s\,\frac{\delta_{\omega_r}(\omega_i)}{|n \cdot \omega_i|}
+// + k_s\,\frac{\delta_{\omega_r}(\omega_i)}{n \cdot \omega_i}
 // + k_t\,\frac{\delta_{\omega_t}(\omega_i)}{|n \cdot \omega_i|},
 // \qquad k_d + k_s + k_t \le 1$$
 //
-// The slide's fourth coefficient, $k_e$, is the emission. Where $k_e > 0$ the
-// other three are 0.
-//
-// Each lobe has its own way to find a direction, and its own weight:
-//
-// - diffuse: as in stage 1;
-// - specular: the mirror direction, and $k_s$;
-// - refraction: the refracted direction, and $k_t\,(\eta_o/\eta_i)^2$;
-// - refraction, with total internal reflection: the mirror direction. The
-//   light stays in the glass, so the weight is $k_t$ without the ratio.
+// The slide's fourth coefficient $k_e$ is the emission $L_e(x, \omega_o)$.
+// Where $k_e > 0$ the other three are 0. `sample` finds a direction of one
+// lobe, and its weight.
 
 // #region sample
 enum class Lobe { diffuse, specular, refraction };
@@ -281,37 +320,40 @@ inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
 }
 // #endregion sample
 
-// ## Lights and deltas
+// ## Lights, mirrors and glass
 //
-// At a surface that is a mirror only, the lights are not asked. Then the path
-// goes on, and may hit a lamp. That lamp was not asked at the surface before,
-// so by the rule of stage 2 it counts: this is how a lamp appears in a
-// mirror. So the flag "direct light added" must be true after a *diffuse*
-// bounce only, also where the material is both, like plastic.
+// Next-event estimation picks a direction to a light. It is $\omega_r$ or
+// $\omega_t$ with the probability 0. So at the two new lobes it always
+// returns 0 (slide "Next-event estimation and delta BRDF"). The lights are
+// asked for the diffuse lobe alone, and `evaluate` stays $k_d/\pi$.
 //
-// Two things look like bugs and are not:
+// A mirror gets a lamp's light by the path that goes on and hits the lamp.
+// "Counted once" has a third case: after a delta lobe no light was asked, so
+// the lamp counts. `direct_light_added` is true after a *diffuse* bounce
+// only, on plastic, too.
 //
-// - Under a *point* light a glass ball has a black shadow. The straight
-//   shadow ray is stopped by the glass. The light that really gets there is
-//   bent, into a bright spot called a *caustic*. Its paths would have to hit
-//   a point.
-// - The point light has no image in a mirror, for the same reason.
+// ![](mirrored-lamps)
+// Two things look like bugs, but are not. Under a *point* light a glass ball
+// has a black shadow. The shadow ray goes straight, and the glass stops it.
+// The real light comes bent, gathered in a bright spot, a *caustic*. But a
+// path from the floor through the ball would have to hit a point. For the
+// same reason a mirror shows no image of a point light.
 //
-// Under a lamp with an area both are there. The caustic is noisy, since a
-// diffuse bounce has to find the lamp through the glass by chance.
+// ![](glass-shadow)
+// Under a lamp with an area both are there. The caustic is noisy: a diffuse
+// bounce must find the lamp through the glass by chance.
 //
-// ## Which way to go on
+// ## Follow every lobe
 //
-// Plastic has $k_d > 0$ and $k_s > 0$ (slide "Combining coefficients").
-// Follow one lobe only, and the light of the other is missing.
+// Plastic has $k_d, k_s > 0$, where matt walls have only $k_d > 0$ and
+// mirrors $k_s > 0$ (slide "Combining coefficients"). If the path follows one
+// lobe only, the light of the other is missing.
 //
 // ![](plastic-lobes)
-//
-// So follow both: one ray for each lobe that has a coefficient. The path
-// becomes a tree. A branch is followed just as the whole is, so the loop of
-// stage 2 becomes a function that calls itself. What it must hand on is a
-// `Branch`: the ray, the throughput, how many bounces lie behind it, and the
-// flag.
+// So follow all: one ray for each lobe that has a coefficient. The path
+// becomes a tree. Each branch is followed as the whole tree is, so stage 2's
+// loop becomes a function, `follow`, that calls itself. The loop's variables
+// become its argument, a `Branch`. All branches add to the same `sum`.
 
 // #region branch
 /// One branch of the tree, where it begins.
@@ -322,38 +364,32 @@ struct Branch {
   bool direct_light_added = false;  ///< at the surface that it comes from
 };
 
-/// More bounces than this would never end anyhow: 2^64 rays.
+/// No path gets more bounces than this, whatever is asked for.
 inline constexpr int most_bounces = 64;
 // #endregion branch
 
-// What does the tree cost? With two lobes at every hit there are $2^n$ rays
-// of the $n$-th bounce. Together with the camera's ray that is $1 + 2 +
-// \dots + 2^n = 2^{n+1} - 1$. Each surface but those of the last bounce also
-// sends a shadow ray: $2^n - 1$ of them, with one light. In all
+// What does the tree cost? Let all surfaces have two lobes, and count with
+// one light and $n$ bounces. The camera's ray meets a surface, and 2, 4, 8
+// rays follow: together $1 + 2 + \dots + 2^n = 2^{n+1} - 1$. Each surface but
+// those of the last row also sends a shadow ray, $2^n - 1$ in all. The sum is
 //
-// $$3 \cdot 2^n - 2$$
+// $$(2^{n+1} - 1) + (2^n - 1) = 3 \cdot 2^n - 2$$
 //
 // ![](tree)
+// In `scenes/plastic.toml` every surface has two lobes. The program counts a
+// little less: some rays leave by the open front, and a light below the
+// horizon gets no shadow ray.
 //
-// In `scenes/plastic.toml` everything is plastic. The program counts a few
-// rays less than the formula, since a light below the horizon is not asked:
-//
-// | `--max-bounces` | 1 | 2 | 4 | 8 | 12 |
-// |---|---|---|---|---|---|
-// | $3 \cdot 2^n - 2$ | 4 | 10 | 46 | 766 | 12,286 |
-// | counted | 4 | 10 | 45 | 760 | 12,200 |
-//
-// Most of those rays carry next to nothing. So the number of bounces must be
-// small, and then the picture is too dark. With two lobes at every hit, more
-// than `most_bounces` bounces would not end in a lifetime, so that is the
-// limit.
+// ![](tree-counts)
+// So the bound must be low. It is at most 64, `most_bounces`, whatever is
+// asked for: a tree with two lobes would not end. Mirrors alone have one ray
+// per bounce, and lose little: with $k_s = 0.9$ only $0.9^{64} = 0.0012$ of
+// the light is left.
 //
 // ## The path
 //
-// One turn of stage 2's loop is one call here. Write how the path goes on:
-// ask the lights if there is a diffuse lobe, then follow each lobe that has a
-// coefficient. `is_black(color)` is true if all three channels are 0. A
-// bounce at a mirror counts as a bounce.
+// One turn of stage 2's loop is one call of `follow`. The steps are the same,
+// in the same order. A bounce at a mirror counts as a bounce.
 
 // #region path
 class PathTracer {
@@ -413,13 +449,13 @@ class PathTracer {
 // #endregion path
 
 // ![](glass-bounces)
+// Paint `scenes/mirror_corridor.toml` with `--max-bounces 2`, `4` and `8`:
+// how many images of the lamp do you see? Paint `scenes/plastic.toml` with
+// `--spp 4` and one bounce more each time, and watch the clock.
 //
-// Watch the clock while the bound grows, and count the lamps in the corridor:
-//
-//     build/stage3 scenes/plastic.toml -o p.png --spp 4 --max-bounces 8
-//     build/stage3 scenes/mirror_corridor.toml -o c.png --max-bounces 4
-//
-// What remains? The tree doubles with each bounce, and the bound makes
-// pictures too dark. Stage 4 mends both with one idea.
-//
+// ![](corridor-bounces)
+// Two things remain. The rays double with each bounce, and most carry next to
+// nothing. And the bound makes pictures too dark. Both will have to be
+// mended.
+
 }  // namespace lightwalk::stage3
