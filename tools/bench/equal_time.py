@@ -64,21 +64,19 @@ def row(bound, three, four, light):
     for stage, found in ((3, three), (4, four)):
         for key in ("rays", "microseconds", "variance"):
             values[f"{key}{stage}"] = found[key]
-    values["times"] = (
-        three["variance"] * three["microseconds"] / (four["variance"] * four["microseconds"])
-    )
-    return "\n".join(
-        ["[[row]]", f"bounces = {bound}", *(f"{key} = {x:.3g}" for key, x in values.items())]
-    )
+    values["times"] = three["variance"] * three["microseconds"] / (four["variance"] * four["microseconds"])
+    return "\n".join(["[[row]]", f"bounces = {bound}", *(f"{key} = {x:.3g}" for key, x in values.items())])
 
 
 def machine():
     model = platform.processor() or platform.machine()
     cpu = pathlib.Path("/proc/cpuinfo")
     if cpu.exists():
-        names = [line.split(":", 1)[1].strip() for line in cpu.read_text().splitlines() if "model name" in line]
+        names = [
+            line.split(":", 1)[1].strip() for line in cpu.read_text().splitlines() if "model name" in line
+        ]
         model = names[0] if names else model
-    compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True).stdout
+    compiler = subprocess.run(["c++", "--version"], check=False, capture_output=True, text=True).stdout
     return f"{model}, {platform.system()}, {(compiler.splitlines() or ['?'])[0]}"
 
 

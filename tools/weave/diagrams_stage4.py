@@ -71,18 +71,22 @@ def event_bar():
 @diagram("same-ratios", 520, 250)
 def same_ratios():
     """Probabilities in one ratio: what the constant decides."""
-    for y, factor, weight in ((26, 1.25, "0.8"), (104, 1, "1"), (182, 0.5, "2")):
+    for y, factor, weight in ((26, 4 / 3, "0.75"), (104, 1, "1"), (182, 0.5, "2")):
         x = 16
-        for name, share, color in (("p_d", 0.5, WARM), ("p_s", 0.3, COOL), ("", 1 - 0.8 * factor, GRAY)):
+        for name, share, color in (("p_d", 0.5, WARM), ("p_s", 0.25, COOL), ("", 1 - 0.75 * factor, GRAY)):
             width = 350 * (factor * share if name else share)
             if width < 1:
                 continue
-            yield (f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="38" fill="{color}" stroke="{PAPER}"/>')
+            yield (
+                f'<rect x="{x:.1f}" y="{y}" width="{width:.1f}" height="38" fill="{color}" stroke="{PAPER}"/>'
+            )
             yield text(x + width / 2, y + 24, name or "absorbed", PAPER)
             x += width
-        yield text(376, y + 16, f"p = {factor:g} k", anchor="start", style="italic")
-        yield text(376, y + 36, f"each weight is {weight}", anchor="start")
-    yield text(16, 242, "k_d = 0.5 and k_s = 0.3", SOFT, "start")
+        yield text(
+            376, y + 16, f"p = {factor:.3g} k" if factor != 1 else "p = k", anchor="start", style="italic"
+        )
+        yield text(376, y + 36, f"weights of {weight}", anchor="start")
+    yield text(16, 242, "k_d = 0.5 and k_s = 0.25", SOFT, "start")
 
 
 @diagram("overfull", 520, 260)
