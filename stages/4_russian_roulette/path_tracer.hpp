@@ -114,8 +114,8 @@ using stage3::sample;
 //
 // On the bar the specular event gets only what the diffuse one leaves, 0.1.
 // Yet its light would be divided by 0.9. Its mean is then $0.1/0.9$ of what
-// it should be: nine times too dark. So where the sum exceeds 1, all three
-// are multiplied by the same factor, here $1/1.8$.
+// it should be: nine times too dark. So where the sum exceeds 1, multiply
+// all three by the same factor, here $1/1.8$, and their sum is 1.
 //
 // ![](overfull)
 //
@@ -275,6 +275,18 @@ inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
 // Every surface in `scenes/plastic.toml` has $k_s = 0.3$. The blue ball has
 // $k_d = (0.2, 0.2, 0.6)$, so $p_d = 0.6$, and 0.1 of the bar is left.
 //
+// 1. At the ball the event is diffuse, and the weight is $k_d/p_d =
+//    (0.2, 0.2, 0.6)/0.6$.
+// 2. At the red wall, with $k_d = (0.5, 0.1, 0.1)$, it is diffuse again, and
+//    the weight is $(0.5, 0.1, 0.1)/0.5$.
+// 3. At the green wall it is specular, and the weight is $0.3/0.3 = 1$.
+// 4. At the white wall, with $k_d = 0.5$, 0.2 of the bar is left. The path
+//    ends there. The wall's direct light has been added before.
+//
+// These four events come with the probability $0.6 \cdot 0.5 \cdot 0.3 \cdot
+// 0.2 = 0.018$. Stage 3 would follow all branches. Here this path stands for
+// many others.
+//
 //     $ build/stage4 scenes/plastic.toml
 //     > --pixel 75,195 --sample 19
 //     ...
@@ -305,17 +317,6 @@ inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
 //       sum        (   0.076,    0.028,    0.073)
 //       ends       absorbed (roulette)
 //     ...
-//
-// 1. At the ball the event is diffuse, and the weight is $k_d/p_d =
-//    (0.2, 0.2, 0.6)/0.6$.
-// 2. At the red wall, with $k_d = (0.5, 0.1, 0.1)$, it is diffuse again, and
-//    the weight is $(0.5, 0.1, 0.1)/0.5$.
-// 3. At the green wall it is specular, and the weight is $0.3/0.3 = 1$.
-// 4. At the white wall, with $k_d = 0.5$, 0.2 of the bar is left. The path
-//    ends there. The wall's direct light has been added before.
-//
-// The probability of these four events is $0.6 \cdot 0.5 \cdot 0.3 \cdot 0.2
-// = 0.018$. Stage 3 followed all branches; here this one stands for many.
 //
 // Now write the end of the loop. Draw an event by `choose_lobe` with
 // `random.uniform()`, a new number in $[0, 1)$. If it is empty, return `sum`.
