@@ -12,6 +12,7 @@ from tools.weave import (  # noqa: F401, they register
     diagrams_stage1,
     diagrams_stage2,
     diagrams_stage3,
+    diagrams_stage4,
     diagrams_stage5,
 )
 from tools.weave.drawing import draw
