@@ -30,21 +30,28 @@ using stage4::LobeChoice;
 
 // ## How much glass reflects
 //
-// In stage 3 glass reflected a fixed fraction, say 10 %. Real glass reflects
-// 4 % when you look straight at it, and everything at a grazing angle.
+// In stage 3 glass reflected a fixed fraction at every angle. Real glass
+// reflects 4 % when you look straight at it, and everything at a grazing
+// angle. One word in the scene file asks for that:
+//
+//     fixed   = { ks = 0.1, kt = 0.9, eta = 1.5 }
+//     fresnel = { ks = 1, kt = 1, eta = 1.5, fresnel = true }
+//
+// Look at both balls before you read the caption. Which one is glass?
 //
 // ![](fresnel-or-fixed)
 //
-// Light is a wave that swings across its direction. The *plane of incidence*
-// is the plane that holds the ray and the normal. Light that swings square to
-// this plane is called *s-polarized*, light that swings within it
-// *p-polarized*. Glass reflects the two differently.
+// How much is reflected depends on how the light swings. Light is a wave that
+// swings across its direction. The *plane of incidence* is the plane that
+// holds the ray and the normal. Light that swings square to this plane is
+// called *s-polarized*, light that swings within it *p-polarized*. Glass
+// reflects more of the first than of the second.
 //
 // ![](polarization)
 //
-// The *Fresnel equations* give the amplitude of each after reflection. They
-// follow from Maxwell's equations (pbrt, 4th edition, section 9.3.5). With
-// the angles and indices of stage 3:
+// The *Fresnel equations* give the amplitude of each after reflection, if it
+// was 1 before. They follow from Maxwell's equations (pbrt, 4th edition,
+// section 9.3.5). With the angles and indices of stage 3:
 //
 // $$r_s = \frac{\eta_o\cos\theta_o - \eta_i\cos\theta_i}
 // {\eta_o\cos\theta_o + \eta_i\cos\theta_i}, \quad
@@ -56,21 +63,26 @@ using stage4::LobeChoice;
 //
 // $$F = \tfrac12 (r_s^2 + r_p^2)$$
 //
-// (Reflected light is partly polarized afterwards. This program forgets that
-// between two hits, as nearly all renderers do.)
+// Reflected light is partly polarized afterwards. This program forgets that
+// between two hits, as nearly all renderers do.
 //
 // Check the formula where you know the answer:
 //
 // - Straight on, all cosines are 1. Then $F = \big(\frac{\eta_o -
 //   \eta_i}{\eta_o + \eta_i}\big)^2 = (0.5/2.5)^2 = 0.04$ for glass, from
 //   either side.
-// - At a grazing angle $\cos\theta_o = 0$. Both squares are 1, and so is $F$.
+// - At a grazing angle $\cos\theta_o$ is 0. Then $r_s$ and $r_p$ are both
+//   $-1$, and $F = 1$.
 // - Inside glass beyond 41.8 degrees there is no $\theta_i$. All is
 //   reflected: $F = 1$.
-// - At one angle $r_p$ is 0, and only s-polarized light is reflected. This is
-//   *Brewster's angle*, $\tan\theta_o = \eta_i/\eta_o$: 56.3 degrees for
-//   glass from outside, 33.7 from inside, 53.1 for a lake. Sunglasses that
-//   block s-polarized light block the glare of the lake.
+// - $r_p$ is 0 where $\eta_i\cos\theta_o = \eta_o\cos\theta_i$. With
+//   Snell's law that is where $\theta_o + \theta_i$ is 90 degrees. So
+//   $\cos\theta_i = \sin\theta_o$, and $\tan\theta_o = \eta_i/\eta_o$.
+//
+// The last one is *Brewster's angle*. Only s-polarized light is reflected
+// there. For glass of 1.5 it is 56.3 degrees from outside, and 33.7 from
+// inside. For a lake, with an index of 1.33, it is 53.1. Sunglasses that
+// block s-polarized light block the glare of the lake.
 //
 // ![](fresnel-curves)
 //
@@ -90,7 +102,7 @@ using stage4::LobeChoice;
 // spoils every sum that it enters.
 
 // #region fresnel
-/// The share of unpolarised light that is reflected, 0 to 1. `cos_o` >= 0 is
+/// The share of unpolarized light that is reflected, 0 to 1. `cos_o` >= 0 is
 /// the cosine between the normal and wo, on the side of wo; `eta_ratio` is
 /// eta_o / eta_i. The same for both directions of one ray.
 inline float fresnel_reflectance(float cos_o, float eta_ratio) {
@@ -119,20 +131,25 @@ inline float fresnel_reflectance(float cos_o, float eta_ratio) {
 //
 // ![](uv)
 //
-// - A *rectangle* and a *triangle* have them along their edges.
+// - A *rectangle* and a *triangle* have them along their edges. Their
+//   `coordinates` returns both for a position, and is given.
 // - A *plane* has no edges. There $v$ runs up: +y on a wall, +z on a floor or
-//   a ceiling. Then $u$ runs to the right of somebody who stands in front of
-//   the wall. One image covers one unit.
+//   a ceiling. `plane_coordinates` takes from "up" what is along the normal.
+//   Then $u = n \times v$ runs to the right of somebody who stands in front
+//   of the wall. One image covers one unit.
 // - A *sphere* is a globe, with its poles up and down. The longitude gives
 //   $u$, and the middle of the image looks to -z, where the lab's camera
 //   stands. The latitude gives $v$, from the south pole to the north pole.
 //
-// For the sphere write two lines. With the unit normal $n$ the longitude is
-// the angle of $(n_x, -n_z)$, `std::atan2(n.x, -n.z)`, from $-\pi$ to $\pi$.
-// It becomes $u = 0.5 + \text{longitude}/2\pi$. The angle from the south pole
-// is $\arccos(-n_y)$, and divided by $\pi$ it is $v$. Rounding may make
-// $-n_y$ slightly larger than 1, so clamp it: `glm::clamp(-n.y, -1.0f,
-// 1.0f)`.
+// Write the sphere. Its unit normal $n$ is `hit.normal`. It points from the
+// center to the hit, so it does not change when the ball is moved. The
+// longitude is the angle of $(n_x, -n_z)$, `std::atan2(n.x, -n.z)`, from
+// $-\pi$ to $\pi$. It becomes $u = 0.5 + \text{longitude}/2\pi$. The angle
+// from the south pole is $\arccos(-n_y)$, and divided by $\pi$ it is $v$.
+// Rounding may make $-n_y$ slightly larger than 1, and its arccosine a NaN.
+// So clamp it: `glm::clamp(-n.y, -1.0f, 1.0f)`.
+//
+// The constants $\pi$ and $2\pi$ are `pi` and `two_pi`.
 
 // #region texture-coordinates
 /// (u, v) on a plane with this unit normal.
@@ -167,37 +184,67 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 }
 // #endregion texture-coordinates
 
+// A map shows at once if $u$ or $v$ is wrong. Try it: add 0.25 to $u$, and
+// say before you render which way the map turns. (Its east comes to the
+// front.)
+//
 // ![](globe-mistakes)
 //
 // ## Reading an image
 //
-// A pixel of a texture is a *texel*. Its color is the color at its *center*,
-// half a texel from the edge. Between four centers the color is mixed in
-// proportion: *bilinear interpolation*.
+// A pixel of a texture is a *texel*. Its three bytes are not proportional to
+// light. They are encoded by the *sRGB* curve. It spends most of the 256
+// steps on dark colors, where the eye sees small differences. A byte $b$
+// stands for the light
 //
-// ![](bilinear)
+// $$\Big(\frac{b/255 + 0.055}{1.055}\Big)^{2.4}$$
 //
-// The point is at $x = u \cdot \text{width} - 0.5$ and $y = (1 - v) \cdot
-// \text{height} - 0.5$, counted in texels from the center of the first one.
-// The $1 - v$ is there because row 0 of an image is at the top. The whole
-// part of $x$ is the column on the left, the rest is the weight of the column
-// on the right. The same for rows.
+// and below $b = 11$ for $b/255/12.92$ (IEC 61966-2-1). So byte 188 is half
+// as bright as 255. `srgb_to_linear` has this curve.
 //
-// Beyond the edge the image repeats. This also closes the seam of the globe,
-// where $u$ jumps from 1 to 0. Over the poles it must not repeat, or the
-// north would shine through in the south: there $y$ is clamped.
+// ![](srgb-curve)
 //
-// The numbers in the file are not proportional to light. They are encoded by
-// the *sRGB* curve: byte 188 is half as bright as 255. Each texel must be
-// decoded before anything is mixed. `texel` does that. Forget it, and every
-// texture looks pale.
+// Light can be mixed, bytes cannot. So `texel` decodes each byte before
+// anything else happens. Forget it, and byte 188 counts 0.74: every texture
+// looks pale.
 //
 // ![](texture-mistakes)
 //
-// Given is `texel`, which decodes and repeats columns and rows. Write
-// `image_color`: first $x$ from the fraction of $u$, `uv.x -
-// std::floor(uv.x)`, then $y$, the whole parts with `std::floor`, and three
-// times `glm::mix(a, b, weight)`.
+// The color of a texel is the color at its *center*, half a texel from its
+// edge. What is the color elsewhere? The obvious answer is that of the
+// nearest center. Then each texel becomes a square, and from near you see its
+// edges.
+//
+// ![](texel-edges)
+//
+// The cure is *bilinear interpolation*: the color is mixed from the four
+// nearest centers, and a center counts more the nearer it is.
+//
+// ![](bilinear)
+//
+// First find the point among the texels. Counted from the center of the first
+// one it is at
+//
+// $$x = u \cdot \text{width} - 0.5 \qquad
+// y = (1 - v) \cdot \text{height} - 0.5$$
+//
+// The $0.5$ is there because the first center is half a texel from the edge.
+// The $1 - v$ is there because row 0 of an image is at the top. The whole
+// part of $x$ is the column on the left. The rest is the weight of the column
+// on the right. The same holds for $y$, with the upper and the lower row.
+//
+// Outside of 0 to 1 the image repeats: only the fraction of $u$ and $v$
+// counts, `uv.x - std::floor(uv.x)`. This also closes the seam of the globe,
+// where $u$ jumps from 1 to 0. Over the poles the image must not repeat, or
+// the north would shine through in the south. So if `has_poles`, take $v$ as
+// it is, and clamp $y$ to the range from 0 to height - 1.
+//
+// Write `image_color`. `texture.width` and `texture.height` are counted in
+// texels. Take the whole parts with `std::floor`, since a cast would round
+// -0.5 up to 0. `texel(texture, column, row)` is given. It returns the
+// decoded color, and repeats columns and rows by itself. `glm::mix(a, b,
+// weight)` is $a$ where the weight is 0, and $b$ where it is 1. You need it
+// three times.
 
 // #region image
 /// The texel's color, linear, 0 to 1. Columns and rows repeat.
@@ -211,7 +258,7 @@ inline Vec3 texel(const Texture& texture, int column, int row) {
           srgb_to_linear(bytes[2])};
 }
 
-/// The picture's color at (u, v), between texels mixed. v = 0 is the lower
+/// The image's color at (u, v), between texels mixed. v = 0 is the lower
 /// edge. `has_poles` keeps v from repeating.
 inline Vec3 image_color(const Texture& texture, const Vec2& uv,
                         bool has_poles) {
@@ -236,23 +283,39 @@ inline Vec3 image_color(const Texture& texture, const Vec2& uv,
 
 // ## Patterns without an image
 //
-// A checkerboard needs no file.
+// A floor of tiles needs no file. Two colors and a number are enough:
 //
 //     tiles = { kd = { checker = [0.8, 0.1], scale = 4 } }
 //
-// Count the squares, and every odd one gets the second color. The number of a
-// square is `glm::floor` of its coordinates, and a square is odd if the sum
-// of its numbers is. There are negative numbers, too. So do not use `%`: a
-// number $s$ is odd if $s - 2\lfloor s/2 \rfloor$ is not 0.
+// The coordinates $(u, v)$ are multiplied by `scale`, so there are four
+// squares in a unit. Each square has two numbers, its column and its row.
+// `glm::floor` gives both. If their sum is odd, the square has the second
+// color.
 //
-// With `over = "position"` the squares become cubes, from which the shape
-// seems to be carved. A floor at a whole number lies just between two layers
-// of cubes, and rounding would pick one by chance. So the cubes are read a
-// little below the surface.
+// Left of 0 the numbers are negative. A cast to `int` would round -0.5 up to
+// 0, and in C++ `-3 % 2` is -1. So use `glm::floor`, and call a sum $s$ odd
+// if $s - 2\lfloor s/2 \rfloor$ is not 0.
 //
 // ![](checker-mistakes)
 //
-// The last pattern depends on the view.
+// On a ball such squares become narrow at the poles, as on a map. A ball that
+// is carved from a block of cubes has no poles:
+//
+//     cubes = { kd = { checker = [0.8, 0.2], scale = 10,
+//                      over = "position" } }
+//
+// Now $x$, $y$ and $z$ of the hit are counted, and the sum has three numbers.
+// This is why `is_odd` takes a `Vec3`. For squares the third number is 0.
+//
+// One trap is left. A floor at $y = -1$ lies just between two layers of
+// cubes. Rounding puts one hit above it and the next one below, and the floor
+// is full of spots. So `coefficient_at` reads the cube a little below the
+// surface.
+//
+// ![](over-position)
+//
+// The last pattern depends on the view. A varnished table is bright if you
+// look along it:
 //
 //     satin = { kd = 0.3, ks = { schlick = [0.04, 0.6] } }
 //
@@ -262,10 +325,17 @@ inline Vec3 image_color(const Texture& texture, const Vec2& uv,
 //
 // $$k(\theta) = k_0 + (k_{90} - k_0)(1 - \cos\theta)^5$$
 //
-// From outside it is close to $F$, and it needs no index. This is handy for
-// varnish, of which nobody knows it, and for metals, whose index is a complex
-// number for each color. From inside it is wrong: for glass at 41 degrees $F$
-// is 0.38, and Schlick's formula says 0.04.
+// With $k_0 = 0.04$ and $k_{90} = 1$ it is close to the $F$ of glass, seen
+// from outside. It needs two colors, and no index. That helps most with
+// metals. The index of a metal is a *complex number*, another one for each
+// wavelength, and its imaginary part says how fast the metal absorbs light.
+//
+// From inside glass the formula is wrong. At 41 degrees $F$ is 0.38, and
+// Schlick's formula says 0.041. It does not know of the critical angle.
+//
+// ![](schlick-curves)
+//
+// Write `is_odd` and `schlick`. The stage does not use `schlick` for glass.
 
 // #region patterns
 /// Whether the square or cube with these coordinates is an odd one.
@@ -314,53 +384,86 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
 
 // ## The material, here and from there
 //
-// `material_at` returns a copy of the hit's material with the coefficients
-// that it has here. Where `varying_kd` is not null, `coefficient_at` replaces
-// `kd`, and so on.
+// `material_at` returns a copy of the hit's material, with the coefficients
+// that it has here. `varying_kd` is a pointer to a pattern, or null. If it is
+// not null, `coefficient_at` says what `kd` is at this hit. The same holds
+// for `ks` and `kt`.
 //
 // With `fresnel = true` the light is shared out: $k_s$ becomes $F k_s$, and
-// $k_t$ becomes $(1 - F)\,k_t$. Ideal glass has both equal to 1, and loses
-// nothing. Beware of $k_t = 1$ without $k_s$: then what is reflected is lost,
-// and total internal reflection is black.
+// $k_t$ becomes $(1 - F)\,k_t$. What is reflected is missing in what goes
+// through. So ideal glass has $k_s = k_t = 1$, and loses nothing. The diffuse
+// $k_d$ stays as it is.
 //
 // ![](fresnel-mistakes)
 //
-// Stage 4 draws the event by these new coefficients. So $F$ decides how
-// *often* a path is reflected, and cancels in its weight. Here are two paths
-// to the same pixel. The first is among the 96 of 100 that are refracted. It
-// counts in full: $1/2.25$ where it enters, and 2.25 where it leaves.
+// Beware of `kt = 1` without `ks`. Then $F k_s$ is 0, and what glass should
+// reflect is lost. Beyond the critical angle $1 - F$ is 0, too: total
+// internal reflection vanishes, and the inside of the glass is black there.
 //
-//     $ build/stage5 scenes/fresnel_glass.toml --pixel 80,190 --sample 0
+// ![](without-ks)
+//
+// Stage 4 draws the event by these new coefficients. So $F$ decides how
+// *often* a path is reflected. The weight is divided by the same $F$, and so
+// $F$ cancels. Follow two paths of one pixel. The first meets the ball at
+// $\cos\theta_o = n \cdot \omega_o = 0.71$, near 45 degrees.
+//
+// - Vertex 0: $F$ is 0.050. The event was refraction, and its probability was
+//   $1 - F$. Of the weight $(1 - F)/2.25$ only $1/2.25 = 0.444$ is left.
+// - Vertex 1: the path leaves the glass. $F$ is 0.050 again, because it is
+//   the same for both directions of one ray. The weight is 2.25.
+// - Vertex 2: the throughput is 1. The path counts in full, as if there were
+//   no glass. It goes on to the lamp, and brings 1.
+//
+//     $ build/stage5 scenes/fresnel_glass.toml --pixel 60,165
+//     > --sample 22
 //     ...
 //     vertex 0: sphere[0] of 'fresnel', bounce 0
 //     ...
-//       ks         (   0.040,    0.040,    0.040)
-//       kt         (   0.960,    0.960,    0.960)
-//     ...
+//       normal     (  -0.175,    0.706,   -0.686) ...
+//       wo         (   0.173,    0.096,   -0.980)
+//       ks         (   0.050,    0.050,    0.050)
+//       kt         (   0.950,    0.950,    0.950)
+//       throughput (       1,        1,        1)
+//       goes on    (  -0.044,   -0.353,    0.93)  refraction
 //       weight     (   0.444,    0.444,    0.444)
-//     ...
 //     vertex 1: sphere[0] of 'fresnel', bounce 1
 //     ...
-//       weight     (    2.25,     2.25,     2.25)
+//       ks         (   0.050,    0.050,    0.050)
+//       kt         (   0.950,    0.950,    0.950)
+//       throughput (   0.444,    0.444,    0.444)
 //     ...
-//     vertex 2: plane[4] of 'white', bounce 2
+//       weight     (    2.25,     2.25,     2.25)
+//     vertex 2: plane[2] of 'white', bounce 2
 //     ...
 //       throughput (       1,        1,        1)
 //     ...
+//     radiance of this sample = (1.000, 1.000, 1.000)
 //
-// The second is among the 4 that are reflected. Its weight is 1.
+// Another sample of the same pixel is one of the 5 in 100 that are reflected.
+// Its probability was $F$, its weight is $F/F = 1$. It counts in full, too,
+// and sees the red wall.
 //
-//     $ build/stage5 scenes/fresnel_glass.toml --pixel 80,190 --sample 5
+//     $ build/stage5 scenes/fresnel_glass.toml --pixel 60,165
+//     > --sample 24
 //     ...
 //     vertex 0: sphere[0] of 'fresnel', bounce 0
 //     ...
+//       ks         (   0.051,    0.051,    0.051)
+//     ...
+//       goes on    (  -0.415,    0.909,    0.027)  specular
 //       weight     (       1,        1,        1)
+//     vertex 1: plane[0] of 'red', bounce 1
 //     ...
-//     vertex 1: plane[1] of 'green', bounce 1
-//     ...
+//     radiance of this sample = (1.000, 0.250, 0.250)
 //
-// For $F$, `Surface(hit, m, wo)` has the normal on the side of `wo`, and
-// `relative_eta` of stage 3 takes it as it is.
+// Of 100 paths of this pixel about 95 are refracted and 5 reflected. No path
+// was split, and none was made darker. That is why stage 4 came first.
+//
+// Write `material_at`. The patterns come first, so that $F$ shares out what
+// they say. `Surface(hit, m, wo)` is the surface as it is seen from `wo`: its
+// `normal` is on the side of `wo`. `relative_eta` of stage 3 takes it, and
+// returns $\eta_o/\eta_i$. Then `dot(surface.normal, wo)` is
+// $\cos\theta_o$, which is never negative.
 
 // #region material-at
 /// The material with the coefficients that it has at `hit`, seen from `wo`.
@@ -386,7 +489,8 @@ inline Material material_at(const Scene& scene, const Hit& hit,
 
 // ## The path
 //
-// Stage 4's loop, with one new line: the material.
+// Stage 4's loop, with one new line: the material. Direct light, the event
+// and the direction all use it, since it is the one in `surface`.
 
 // #region path
 class PathTracer {
@@ -444,15 +548,21 @@ class PathTracer {
 };
 // #endregion path
 
-// Paint the three scenes of this chapter, and then one of your own:
+// Render the three scenes of this chapter:
 //
 //     build/stage5 scenes/checkered_floor.toml -o floor.png
 //     build/stage5 scenes/textured_globe.toml -o globe.png
 //     build/stage5 scenes/fresnel_glass.toml -o glass.png
 //
-// What remains? A whole field. Rough metals and cloth, light that is sampled
-// by its power, fog, fast trees for millions of triangles. All of them are
-// more ways to draw a direction and to divide by its density. You can read
-// about them now.
+// Then take the lab's box, `scenes/cornell_box_ceiling.toml`, and give its
+// glass `ks = 1`, `kt = 1` and `fresnel = true`. Which parts of the ball
+// become darker, and which brighter?
+//
+// ![](lab-glass)
+//
+// What remains? Rough metals and cloth need lobes that are neither diffuse
+// nor a delta. Fog scatters light between the surfaces. Many lights need a
+// choice among them. All of these are new ways to draw a direction and to
+// divide by its density. You can read about them now.
 //
 }  // namespace lightwalk::stage5

@@ -233,6 +233,10 @@ def fresnel_curves():
         at = x0 + width * mark / 90
         yield line(at, y0, at, y0 - height, SOFT, 1, False, "3 3")
         yield text(at, y0 + 18, f"{mark:.1f}°", SOFT, size=13)
+        if ratio > 1:
+            brewster = x0 + width * 33.69 / 90
+            yield line(brewster, y0, brewster, y0 - height * 0.4, SOFT, 1, False, "3 3")
+            yield text(brewster - 5, y0 - height * 0.4 + 14, "33.7°", SOFT, "end", size=13)
         yield text(x0 + width, y0 + 18, "90°", SOFT, size=13)
         yield text(x0 - 6, y0 + 5, "0", SOFT, "end", size=13)
         yield text(x0 - 6, y0 - height + 8, "1", SOFT, "end", size=13)
