@@ -34,7 +34,7 @@ scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers mistakes goldens \
-  signatures mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
+  signatures mutants diff single-header test-single-header null-test bench-compare setup-bench setup-fuzz fuzz \
   format clean $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
@@ -55,6 +55,7 @@ help:
 	@echo "make test-$(firstword $(stages))   run the tests of one stage"
 	@echo "make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml"
 	@echo "                   render and compare two stages, images or programs"
+	@echo "make single-header write each stage as one header: $(BUILD)/single/stageN.hpp"
 	@echo "make goldens       remake the golden images of the tests"
 	@echo "make signatures    remake what failing goldens are compared with"
 	@echo "make null-test     how often do the goldens reject a right program?"
@@ -103,6 +104,16 @@ $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
 diff: build
 	@cmake --build $(BUILD) -j $(JOBS) --target stage-diff
 	@BUILD=$(BUILD) compare/diff.sh
+
+# Each stage with its core in one header that needs GLM alone.
+single-header:
+	@python3 -m tools.handout.single_header
+
+# All of them, by each compiler that is here, beside what the tree paints:
+# minutes. `make test` takes the newest one.
+test-single-header: build
+	@LIGHTWALK_EVERY_STAGE=1 PYTHONPATH=. PYTHONDONTWRITEBYTECODE=1 \
+	  python3 tests/command_line/test_single_header.py -v EveryStage
 
 # Remakes the images that the stages are held to: minutes.
 goldens: build

@@ -83,7 +83,7 @@ $light  box.geometry.prepare();
 }
 """
 
-# Whoever includes it wrongly reads one line that says so, and no others.
+# Whoever includes it wrongly reads first what is wrong.
 OPENING = """\
 #ifndef LIGHTWALK_STAGE${stage}_HPP
 #define LIGHTWALK_STAGE${stage}_HPP
