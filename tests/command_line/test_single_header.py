@@ -48,11 +48,15 @@ def program_of(text):
     return "".join(f"{line[7:]}\n" for line in shown.splitlines())
 
 
-def together(*commands, folder):
+def together(*commands, folder, timeout=None):
     """Runs them side by side: their exit codes and what they say."""
     pipes = dict(cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     running = [subprocess.Popen(command, **pipes) for command in commands]
-    said = [one.communicate(timeout=HANG)[0] for one in running]
+    try:
+        said = [one.communicate(timeout=timeout)[0] for one in running]
+    finally:
+        for one in running:
+            one.kill()
     return [(one.returncode, text) for one, text in zip(running, said)]
 
 
@@ -88,12 +92,11 @@ class Compiled(InFolder):
         self.assertTrue(any("/glm/" in name for name in needs))
 
     def assert_paints_like_the_tree(self, samples, *options):
-        done = together([self.folder / "box"], folder=self.folder)
+        done = together([self.folder / "box"], folder=self.folder, timeout=HANG)
         self.assertEqual(done, [(0, "")])
         scene = SCENES.parent / single_header.box_of(self.stage).scene
         tree = run(
-            *[f"stage{self.stage}", scene, "-o", "tree.pfm", "--spp", samples, *options],
-            folder=self.folder,
+            *[f"stage{self.stage}", scene, "-o", "tree.pfm", "--spp", samples, *options], folder=self.folder
         )
         self.assertEqual(tree.returncode, 0, tree.stderr)
         self.assert_same_bytes("box.pfm", "tree.pfm")
@@ -259,7 +262,7 @@ class EveryStage(Compiled):
         if cxx == compiler():
             self.assert_paints_like_the_tree(16)
         else:
-            self.assertEqual(together([self.folder / "box"], folder=self.folder), [(0, "")])
+            self.assertEqual(together([self.folder / "box"], folder=self.folder, timeout=HANG), [(0, "")])
         # The tree's own headers, by the same compiler with the same options.
         (self.folder / "box.pfm").rename(self.folder / "single.pfm")
         headers = [*single_header.CORE, header.relative_to(ROOT).as_posix()]
@@ -269,7 +272,7 @@ class EveryStage(Compiled):
         options = ["-std=c++20", "-O2", "-ffp-contract=off", "-pthread", "-I", ROOT, *glm()]
         command = [cxx, *options, "tree.cpp", "-o", "tree"]
         self.assertEqual(together(command, folder=self.folder), [(0, "")])
-        self.assertEqual(together([self.folder / "tree"], folder=self.folder), [(0, "")])
+        self.assertEqual(together([self.folder / "tree"], folder=self.folder, timeout=HANG), [(0, "")])
         self.assert_same_bytes("single.pfm", "box.pfm")
         # Without any option but the standard's.
         bare = [cxx, "-std=c++20", "-x", "c++", "-fsyntax-only", *glm(), self.name]

@@ -58,9 +58,7 @@ ALL_MATERIALS = "scenes/cornell_box_point.toml"
 BOXES = {
     1: Box(CEILING, WHITE + BLUE + LAMP, "lamp", ("blue", "white"), "", WITH_A_BOUND),
     2: Box(DIFFUSE, WHITE + BLUE, "white", ("blue", "white"), POINT, WITH_A_BOUND),
-    3: Box(
-        ALL_MATERIALS, WHITE + PLASTIC_AND_GLASS, "white", ("plastic", "glass"), POINT, WITH_A_BOUND
-    ),
+    3: Box(ALL_MATERIALS, WHITE + PLASTIC_AND_GLASS, "white", ("plastic", "glass"), POINT, WITH_A_BOUND),
     4: Box(ALL_MATERIALS, WHITE + PLASTIC_AND_GLASS, "white", ("plastic", "glass"), POINT, WITHOUT),
 }
 
