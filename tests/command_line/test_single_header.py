@@ -4,17 +4,19 @@ The newest stage's is tested here; `make test-single-header` takes every stage,
 each compiler that is there, and the programs of the how-tos as they are.
 """
 
+import functools
 import os
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
+from pathlib import Path
 
-from programs import BUILD, HANG, ROOT, SCENES, InFolder, run
+from programs import BUILD, HANG, ROOT, InFolder, run
 
-from compare.stages import Failure, stage_headers
-from tools.handout import single_header
+from compare.stages import stage_headers
 
 EVERY_STAGE = bool(os.environ.get("LIGHTWALK_EVERY_STAGE"))
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion"]
@@ -42,6 +44,26 @@ def number(header):
     return int(header.parent.name[0])
 
 
+def make(build, root=ROOT, **environment):
+    """What `make single-header` does in a tree, into a build folder."""
+    env = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", **environment}
+    env |= {"LIGHTWALK_BUILD": str(build), "PYTHONPATH": str(root)}
+    command = [sys.executable, "-m", "tools.handout.single_header"]
+    return subprocess.run(command, cwd=root, env=env, capture_output=True, text=True)
+
+
+@functools.cache
+def texts():
+    """The single headers of this tree, by stage."""
+    with tempfile.TemporaryDirectory() as folder:
+        done = make(folder)
+        if done.returncode:
+            raise AssertionError(done.stderr)
+        return {
+            number(one): Path(folder, f"single/stage{number(one)}.hpp").read_text() for one in stage_headers()
+        }
+
+
 def program_of(text):
     """The program in the how-to."""
     shown = re.search(r"^//     #include.*?^//     }$", text, re.MULTILINE | re.DOTALL)[0]
@@ -63,10 +85,10 @@ def together(*commands, folder, timeout=None):
 class Compiled(InFolder):
     """An empty folder with a single header, and nothing of the tree."""
 
-    def put(self, header):
-        self.stage = number(header)
+    def put(self, stage):
+        self.stage = stage
         self.name = f"stage{self.stage}.hpp"
-        self.text = single_header.text_of(header)
+        self.text = texts()[stage]
         (self.folder / self.name).write_text(self.text)
 
     def build(self, cxx, program, *options):
@@ -94,7 +116,7 @@ class Compiled(InFolder):
     def assert_paints_like_the_tree(self, samples, *options):
         done = together([self.folder / "box"], folder=self.folder, timeout=HANG)
         self.assertEqual(done, [(0, "")])
-        scene = SCENES.parent / single_header.box_of(self.stage).scene
+        scene = ROOT / re.search(r"build/stage\d (scenes/\S+)", self.text)[1]
         tree = run(
             *[f"stage{self.stage}", scene, "-o", "tree.pfm", "--spp", samples, *options], folder=self.folder
         )
@@ -109,7 +131,7 @@ class Compiled(InFolder):
 
 class NewestStage(Compiled):
     def test_paints_what_the_tree_paints(self):
-        self.put(stage_headers()[-1])
+        self.put(max(texts()))
         program = program_of(self.text)
         # Small, since it is compiled without optimization.
         small, count = re.subn(
@@ -123,7 +145,7 @@ class NewestStage(Compiled):
         self.assert_paints_like_the_tree(4, "--size", "48x48")
 
     def test_says_first_what_is_missing(self):
-        self.put(stage_headers()[-1])
+        self.put(max(texts()))
         without_glm = self.text.replace("<glm/", "<no-glm/")
         (self.folder / "without_glm.hpp").write_text(without_glm)
         (self.folder / "two.hpp").write_text(f'#include "{self.name}"\n#include "older.hpp"\n')
@@ -146,11 +168,8 @@ class Text(InFolder):
     def test_the_same_bytes_each_time(self):
         seen = []
         for seed in ("1", "2"):
-            folder = self.folder / seed
-            env = {**os.environ, "LIGHTWALK_BUILD": str(folder), "PYTHONHASHSEED": seed}
-            command = [sys.executable, "-m", "tools.handout.single_header"]
-            subprocess.run(command, cwd=ROOT, env=env, check=True, stdout=subprocess.DEVNULL)
-            files = sorted((folder / "single").iterdir())
+            self.assertEqual(make(self.folder / seed, PYTHONHASHSEED=seed).stderr, "")
+            files = sorted((self.folder / seed / "single").iterdir())
             seen.append({path.name: path.read_bytes() for path in files})
         self.assertEqual(list(seen[0]), [f"stage{number(header)}.hpp" for header in stage_headers()])
         self.assertEqual(seen[0], seen[1])
@@ -158,8 +177,7 @@ class Text(InFolder):
     def test_every_line_of_the_tree_is_there(self):
         """Prose, code and marks, in order; only includes and `#pragma once` go."""
         gone = re.compile(r'#pragma once$|#include ["<](?!immintrin)')
-        for header in stage_headers():
-            text = single_header.text_of(header)
+        for text in texts().values():
             parts = re.split(r"^// ==== (\S+) =+\n", text, flags=re.MULTILINE)[1:]
             parts[-1] = parts[-1][: parts[-1].rindex("#endif  // what")]
             listed = re.findall(r"^// +(\d+)  (\S+\.hpp)$", text, re.MULTILINE)
@@ -170,8 +188,8 @@ class Text(InFolder):
                 self.assertEqual([line for line in part.splitlines() if line], kept, name)
 
     def test_says_in_which_line_what_is(self):
-        for header in stage_headers():
-            lines = single_header.text_of(header).splitlines()
+        for text in texts().values():
+            lines = text.splitlines()
             contents = [re.match(r"// +(\d+)  +(\S+\.hpp|exercise .*)$", line) for line in lines]
             found = [match.groups() for match in contents if match]
             self.assertGreater(len(found), 10)
@@ -181,8 +199,7 @@ class Text(InFolder):
             self.assertEqual(sum(what.startswith("exercise") for _, what in found), marks)
 
     def test_the_how_to_is_short(self):
-        for header in stage_headers():
-            text = single_header.text_of(header)
+        for text in texts().values():
             program = [line for line in program_of(text).splitlines() if line.strip()]
             self.assertLessEqual(len(program), 21, "an #include and 20 lines")
             self.assertIn((ROOT / "LICENSE").read_text().splitlines()[-1], text)
@@ -191,8 +208,10 @@ class Text(InFolder):
 class Trees(InFolder):
     """Small trees, and what is said of those that are not right."""
 
-    def tree(self, core="", stage="", exercise=""):
-        files = {name: f"#pragma once\n{core}\n" for name in single_header.CORE}
+    CORE = ["render/paint.hpp", "image/pfm.hpp", "image/ppm.hpp"]
+
+    def make(self, core="", stage="", exercise=""):
+        files = {f"common/{name}": f"#pragma once\n{core}\n" for name in self.CORE}
         chapter = f"#pragma once\n\n// # Stage 4: a title\n{stage}\n\nint f() {{\n{exercise}}}\n"
         files["stages/4_small/path_tracer.hpp"] = chapter
         files["CMakeLists.txt"] = "cmake_minimum_required(VERSION 3.22)\nproject(x VERSION 1.2)\n"
@@ -200,19 +219,21 @@ class Trees(InFolder):
         for name, text in files.items():
             (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
             (self.folder / name).write_text(text)
-        return self.folder / "stages/4_small/path_tracer.hpp"
+        for name in ("compare", "tools/handout"):
+            shutil.copytree(ROOT / name, self.folder / name)
+        return make(self.folder / "build", self.folder)
 
     def test_an_open_exercise_stays_as_it_is(self):
         exercise = "  // #region exercise 4.1: a choice\n  // #stub return 7;\n  return 7;\n  // #endregion\n"
-        text = single_header.text_of(self.tree(exercise=exercise), self.folder)
+        self.assertEqual(self.make(exercise=exercise).stderr, "")
+        text = (self.folder / "build/single/stage4.hpp").read_text()
         self.assertIn(exercise, text)
         self.assertRegex(text, r"// +\d+    exercise 4\.1: a choice\n")
         self.assertTrue(text.startswith("// stage4.hpp - Lightwalk 1.2, stage 4: a title\n"))
 
     def assert_refused(self, message, **texts):
-        with self.assertRaises(Failure) as raised:
-            single_header.text_of(self.tree(**texts), self.folder)
-        self.assertEqual(str(raised.exception), message)
+        done = self.make(**texts)
+        self.assertEqual((done.returncode, done.stderr), (1, f"single_header: {message}\n"))
 
     def test_another_library(self):
         message = "common/render/paint.hpp:2: <toml++/toml.hpp> is neither of GLM nor of the standard library"
@@ -249,13 +270,13 @@ class EveryStage(Compiled):
                 compilers.setdefault(os.path.realpath(path), name)
             else:
                 print(f"single header: not compiled by {name}, which is not there", file=sys.stderr)
-        for header in stage_headers():
-            self.put(header)
+        for stage in texts():
+            self.put(stage)
             for cxx in compilers.values():
                 with self.subTest(stage=self.stage, compiler=cxx):
-                    self.paint(header, cxx)
+                    self.paint(cxx)
 
-    def paint(self, header, cxx):
+    def paint(self, cxx):
         program = program_of(self.text)
         self.build(cxx, program, "-O2", "-ffp-contract=off")
         self.assert_needs_only_glm()
@@ -265,7 +286,7 @@ class EveryStage(Compiled):
             self.assertEqual(together([self.folder / "box"], folder=self.folder, timeout=HANG), [(0, "")])
         # The tree's own headers, by the same compiler with the same options.
         (self.folder / "box.pfm").rename(self.folder / "single.pfm")
-        headers = [*single_header.CORE, header.relative_to(ROOT).as_posix()]
+        headers = re.findall(r"^// ==== (\S+)", self.text, re.MULTILINE)
         includes = "".join(f'#include "{name}"\n' for name in headers) + "#include <fstream>"
         from_tree = program.replace(f'#include "{self.name}"', includes)
         (self.folder / "tree.cpp").write_text(from_tree)
