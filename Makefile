@@ -36,7 +36,8 @@ scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers mistakes goldens \
   signatures mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
-  format clean check watch hint handout handouts $(stages) $(addprefix test-,$(stages))
+  format clean check watch hint handout handouts single-header \
+  test-single-header $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
 # Where the Python programs look for what was built.
@@ -62,6 +63,7 @@ help:
 	@echo "make handout STAGE=4 INTO=folder"
 	@echo "                   the next stage, into a folder that a student works in"
 	@echo "make handouts      prove all handouts, from open to solved"
+	@echo "make single-header write each stage as one header: $(BUILD)/single/stageN.hpp"
 	@echo "make goldens       remake the golden images of the tests"
 	@echo "make signatures    remake what failing goldens are compared with"
 	@echo "make null-test     how often do the goldens reject a right program?"
@@ -125,6 +127,16 @@ handouts: setup
 diff: build
 	@cmake --build $(BUILD) -j $(JOBS) --target stage-diff
 	@BUILD=$(BUILD) compare/diff.sh
+
+# Each stage with its core in one header that needs GLM alone.
+single-header:
+	@python3 -m tools.handout.single_header
+
+# All of them, by each compiler that is here, beside what the tree paints:
+# minutes. `make test` takes the newest one.
+test-single-header: build
+	@LIGHTWALK_EVERY_STAGE=1 PYTHONPATH=. PYTHONDONTWRITEBYTECODE=1 \
+	  python3 tests/command_line/test_single_header.py -v EveryStage
 
 # Remakes the images that the stages are held to: minutes.
 goldens: build
