@@ -36,11 +36,12 @@ inline bool is_image_ending(const std::string& text) {
   return std::find(known.begin(), known.end(), text) != known.end();
 }
 
-/// The image library; an ImageError where it cannot be loaded.
-inline const ImageCodecs& need_image_codecs() {
+/// The image library; an ImageError where it cannot be loaded. `format` is an
+/// ending such as ".exr".
+inline const ImageCodecs& need_image_codecs(const std::string& format) {
   std::string error;
   const ImageCodecs* library = image_codecs(error);
-  if (!library) throw ImageError(error);
+  if (!library) throw ImageError(format + " " + error);
   return *library;
 }
 
@@ -48,7 +49,7 @@ inline const ImageCodecs& need_image_codecs() {
 inline void check_writable(const std::string& path) {
   check_place(path);
   const std::string format = ending(path);
-  if (format == ".exr" || format == ".png") need_image_codecs();
+  if (format == ".exr" || format == ".png") need_image_codecs(format);
 }
 
 /// The file's bytes, in the format that an ending like ".exr" asks for.
@@ -57,7 +58,7 @@ inline std::string encode_image(const std::string& format,
                                 const ToneMapping& mapping) {
   if (format == ".pfm") return encode_pfm(result.radiance);
   if (format == ".ppm") return encode_ppm(result.radiance);
-  const ImageCodecs& library = need_image_codecs();
+  const ImageCodecs& library = need_image_codecs(format);
   std::string bytes;
   const std::string error =
       format == ".exr"
@@ -85,7 +86,7 @@ inline RenderResult read_image(const std::string& path) {
   RenderResult result;
   const std::string format = ending(path);
   if (format == ".exr" || format == ".png") {
-    const ImageCodecs& library = need_image_codecs();
+    const ImageCodecs& library = need_image_codecs(format);
     const std::string why = format == ".exr"
                                 ? library.read_exr(path, result)
                                 : library.read_png(path, result.radiance);

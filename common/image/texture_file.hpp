@@ -35,7 +35,7 @@ inline Texture load_texture(const std::string& folder,
   }
   Texture texture;
   const std::string why =
-      need_image_codecs().read_texture(file.string(), texture);
+      need_image_codecs(format).read_texture(file.string(), texture);
   if (!why.empty()) throw ImageError(why);
   return texture;
 }
