@@ -11,6 +11,7 @@
 #include <string>
 
 #include "common/image/file_bytes.hpp"
+#include "common/image/file_path.hpp"
 #include "common/image/image_codecs.hpp"
 #include "common/image/image_error.hpp"
 #include "common/image/pfm.hpp"
@@ -23,7 +24,7 @@ namespace lightwalk {
 
 /// The ending of a file's name in lower case, such as ".exr".
 inline std::string ending(const std::string& path) {
-  std::string text = std::filesystem::path(path).extension().string();
+  std::string text = name_of(file_path(path).extension());
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
     return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
   });
@@ -80,7 +81,7 @@ inline void write_image(const std::string& path, const RenderResult& result,
 inline RenderResult read_image(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  const fs::file_status status = fs::status(file_path(path), error);
   if (!fs::exists(status)) throw ImageError("there is no such file");
   if (!fs::is_regular_file(status)) throw ImageError("it is not a file");
   RenderResult result;
@@ -104,7 +105,7 @@ inline RenderResult read_image(const std::string& path) {
   }
   const std::size_t most =
       most_ppm_bytes(first_bytes(path, longest_ppm_header));
-  if (const std::uintmax_t size = fs::file_size(path); size > most) {
+  if (const std::uintmax_t size = fs::file_size(file_path(path)); size > most) {
     throw ImageError("it has " + std::to_string(size) +
                      " bytes, and its pixels take " + std::to_string(most) +
                      " at most");

@@ -159,7 +159,7 @@ std::string take_layer(const ExrParts& file, const ExrLayer& layer,
 }  // namespace
 
 std::string read_exr(const std::string& path, RenderResult& result) {
-  if (std::filesystem::file_size(path) > most_bytes) {
+  if (std::filesystem::file_size(file_path(path)) > most_bytes) {
     return "it is larger than 2 GB";
   }
   const std::string bytes = first_bytes(path, most_bytes);

@@ -86,7 +86,7 @@ std::string convert(Stored* stored, std::vector<Pixel>& pixels) {
 template <class Pixel>
 std::string read_colors(const std::string& path, std::int64_t most,
                         int& width, int& height, std::vector<Pixel>& pixels) {
-  if (std::filesystem::file_size(path) > most_bytes) {
+  if (std::filesystem::file_size(file_path(path)) > most_bytes) {
     return "it is larger than 1 GB";
   }
   const std::string bytes = first_bytes(path, most_bytes);

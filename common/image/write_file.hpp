@@ -24,6 +24,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "common/image/file_path.hpp"
 #include "common/image/file_place.hpp"
 #include "common/image/image_error.hpp"
 
@@ -44,7 +45,7 @@ inline std::string unfinished_name(const std::string& path) {
   std::snprintf(name, sizeof name, ".unfinished-%08x%08x",
                 static_cast<unsigned>(random()),
                 static_cast<unsigned>(random()));
-  return (std::filesystem::path(path).parent_path() / name).string();
+  return name_of(file_path(path).parent_path() / name);
 }
 
 /// The unfinished file that there is now, for whoever ends the program.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "common/image/file_path.hpp"
 #include "common/image/file_place.hpp"
 #include "common/image/image_error.hpp"
 #include "common/image/windows.hpp"
@@ -27,11 +28,11 @@ namespace lightwalk {
 class UnfinishedFile {
  public:
   explicit UnfinishedFile(const std::string& path)
-      : target_(std::filesystem::path(path)), name_(unfinished_name(path)) {
+      : target_(file_path(path)), name_(unfinished_name(path)) {
     // Known before it exists: a signal may come at once.
     unfinished_file = name_.c_str();
     // Never what is there already.
-    file_ = CreateFileW(std::filesystem::path(name_).c_str(), GENERIC_WRITE,
+    file_ = CreateFileW(file_path(name_).c_str(), GENERIC_WRITE,
                         0, nullptr, CREATE_NEW, FILE_ATTRIBUTE_NORMAL,
                         nullptr);
     if (file_ != INVALID_HANDLE_VALUE) return;
@@ -42,7 +43,7 @@ class UnfinishedFile {
   UnfinishedFile& operator=(const UnfinishedFile&) = delete;
   ~UnfinishedFile() {
     close();
-    if (!renamed_) DeleteFileW(std::filesystem::path(name_).c_str());
+    if (!renamed_) DeleteFileW(file_path(name_).c_str());
     unfinished_file = nullptr;
   }
 
@@ -63,7 +64,7 @@ class UnfinishedFile {
   void take_its_place() {
     if (!FlushFileBuffers(file_)) throw_windows_error();
     close();
-    if (!MoveFileExW(std::filesystem::path(name_).c_str(), target_.c_str(),
+    if (!MoveFileExW(file_path(name_).c_str(), target_.c_str(),
                      MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH)) {
       throw_windows_error();
     }
@@ -86,7 +87,7 @@ class UnfinishedFile {
 inline void check_file_place(const std::string& path) {
   check_folder_of(path);
   const DWORD attributes =
-      GetFileAttributesW(std::filesystem::path(path).c_str());
+      GetFileAttributesW(file_path(path).c_str());
   if (attributes == INVALID_FILE_ATTRIBUTES) return;
   if (attributes & FILE_ATTRIBUTE_DIRECTORY) {
     throw ImageError("it is a folder");
