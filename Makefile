@@ -37,7 +37,7 @@ scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 .PHONY: picture help setup build test bench bench-peers mistakes goldens \
   signatures mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
   format clean check watch hint handout handouts single-header \
-  test-single-header $(stages) $(addprefix test-,$(stages))
+  test-single-header test-windows $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
 # Where the Python programs look for what was built.
@@ -70,6 +70,7 @@ help:
 	@echo "make mistakes      put known mistakes into the stages: what do the tests catch?"
 	@echo "make mutants       make every small change to the stages: what do the tests notice?"
 	@echo "make fuzz          feed the readers with what nobody would write (SECONDS=60)"
+	@echo "make test-windows  compile for Windows and run there, by mingw-w64 and wine"
 	@echo "make bench         measure what everything costs (BASE=old.json compares)"
 	@echo "make bench-peers   time stage 4 and Mitsuba 3 side by side"
 	@echo "make book          weave the book: $(BUILD)/book/index.html"
@@ -176,10 +177,23 @@ fuzz: setup-fuzz $(BUILD)/fuzz/CMakeCache.txt
 	  || { cat $(BUILD)/fuzz/build.log; exit 1; }
 	@set -f; python3 -m tests.fuzz.fuzz -j $(JOBS) --seconds "$$FUZZ_SECONDS" $$HARNESS
 
+# Programs for Windows, and what they do under wine: minutes. Says that it is
+# skipped where `tools/setup.sh windows` was not run.
+windows_compiler = $(shell command -v x86_64-w64-mingw32-g++-posix)
+windows_suites = core_tests $(addsuffix _tests,$(stages))
+test-windows: build
+	@cmake --build $(BUILD) -j $(JOBS) --target stage-diff
+	@$(if $(windows_compiler),cmake -S . -B $(BUILD)/windows \
+	  $(if $(shell command -v ninja),-G Ninja) -DCMAKE_BUILD_TYPE=Release \
+	  -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/cmake/mingw-w64.cmake > $(BUILD)/windows.log \
+	  && cmake --build $(BUILD)/windows -j $(JOBS) --target $(stages) stage-diff \
+	  $(windows_suites))
+	@PYTHONPATH=. python3 tests/windows/test_windows.py
+
 # Half an hour at first; later runs are faster. MUTANTS gives the program's
 # options: MUTANTS="--stage 2".
 mutants: setup $(BUILD)/CMakeCache.txt $(BUILD)/mutants-venv/made
-	@cmake --build $(BUILD) -j $(JOBS) --target test_support test_main lightwalk_openimageio
+	@cmake --build $(BUILD) -j $(JOBS) --target test_support test_main image_module
 	@set -f; $(BUILD)/mutants-venv/bin/python -m tests.mutants.mutants -j $(JOBS) $$MUTANTS
 
 # What the known mistakes look like, so that a failing golden can be told which

@@ -311,6 +311,7 @@ int main(int argc, char** argv) {
   bool json = false, other_seeds = false;
   CLI::App app("Are two renders the same picture, but for their noise?",
                "stage-diff");
+  app.allow_windows_style_options(false);  // /home/ana/a.exr is a file
   app.add_option("A", a, "Image (.exr, .pfm or .ppm)")->required();
   app.add_option("B", b, "Image to compare with, the reference")->required();
   app.add_option("-o,--output", picture,

@@ -36,7 +36,8 @@ if(NOT MSVC)
 endif()
 
 add_library(test_main OBJECT support/main.cpp)
-target_link_libraries(test_main PUBLIC test_support)
+target_link_libraries(test_main PUBLIC test_support
+                                PRIVATE program_manifest)
 
 # Runs a suite, tells how it ended, and stops a test that does not end.
 if(UNIX)
@@ -68,7 +69,7 @@ function(add_suite name)
   target_link_libraries(${name}_tests PRIVATE test_support test_main)
   set_target_properties(${name}_tests PROPERTIES BUILD_RPATH_USE_ORIGIN ON
                                                  BUILD_RPATH "${program_folder}")
-  add_dependencies(${name}_tests lightwalk_openimageio)
+  add_dependencies(${name}_tests image_module)
   if(UNIX)
     add_dependencies(${name}_tests run_suite)
   endif()
@@ -115,7 +116,7 @@ function(add_one_file_suite name)
   endif()
   set_target_properties(${name}_check PROPERTIES BUILD_RPATH_USE_ORIGIN ON
                                                  BUILD_RPATH "${program_folder}")
-  add_dependencies(${name}_check lightwalk_openimageio)
+  add_dependencies(${name}_check image_module)
   if(UNIX)
     add_dependencies(${name}_check run_suite)
   endif()

@@ -9,6 +9,7 @@
 #   setup.sh slides  what the slides and the browser tests need besides
 #   setup.sh bench   what comparing benchmarks needs besides
 #   setup.sh fuzz    what `make fuzz` needs besides
+#   setup.sh windows what `make test-windows` needs besides
 set -eu
 
 # has_libfuzzer COMPILER: whether it can make programs for `make fuzz`.
@@ -46,6 +47,12 @@ elif [ "${1:-}" = fuzz ]; then
   fi
   debian_packages="clang libclang-rt-dev"
   brew_packages=llvm
+elif [ "${1:-}" = windows ]; then
+  # Debian's and Ubuntu's alone: Homebrew has no wine that runs without a Mac's
+  # own screen.
+  debian_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev wine64
+    libtinyexr-dev libstb-dev"
+  brew_packages=
 elif [ "${1:-}" = slides ]; then
   # Any Chromium or Chrome will do, wherever it comes from.
   for browser in chromium google-chrome chromium-browser; do

@@ -133,9 +133,9 @@ class BoundsRay {
  private:
   void clip(const BoundsPack& boxes, Float8 Vec3x8::*along, int axis,
             Float8& first, Float8& last) const {
-    const std::size_t near = near_[static_cast<std::size_t>(axis)];
-    const Float8& near_plane = boxes.corners[near].*along;
-    const Float8& far_plane = boxes.corners[1 - near].*along;
+    const std::size_t nearer = near_[static_cast<std::size_t>(axis)];
+    const Float8& near_plane = boxes.corners[nearer].*along;
+    const Float8& far_plane = boxes.corners[1 - nearer].*along;
     first = max(first, (near_plane - origin_[axis]) * to_near_[axis]);
     last = min(last, (far_plane - origin_[axis]) * to_far_[axis]);
   }

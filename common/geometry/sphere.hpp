@@ -57,9 +57,9 @@ struct SpherePack {
     const Int8 center_is_ahead = b > 0.0f;
     const Float8 q = b + select(center_is_ahead, root, -root);
     const Float8 other = product / q;
-    const Float8 near = select(center_is_ahead, other, q);
-    const Float8 far = select(center_is_ahead, q, other);
-    return select(near > 0.0f, near, far);
+    const Float8 first = select(center_is_ahead, other, q);
+    const Float8 second = select(center_is_ahead, q, other);
+    return select(first > 0.0f, first, second);
   }
   // #endregion sphere-intersection
 
@@ -78,9 +78,9 @@ struct SpherePack {
     const double away = length(c);
     const bool large = r > 16 * std::abs(away - r);
     has_large = has_large || large;
-    const Vec3 near = large ? Vec3(c * (1 - r / away)) : sphere.center;
-    const DoubleVec3 from_center = DoubleVec3(near) - c;
-    anchor.set(lane, near);
+    const Vec3 nearby = large ? Vec3(c * (1 - r / away)) : sphere.center;
+    const DoubleVec3 from_center = DoubleVec3(nearby) - c;
+    anchor.set(lane, nearby);
     spoke.set(lane, Vec3(from_center));
     error[lane] = static_cast<float>(dot(from_center, from_center) - r * r);
   }

@@ -9,14 +9,24 @@
 // left to the library.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <istream>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "common/image/image_limits.hpp"
 
 namespace lightwalk {
+
+/// What a smaller library may not be able to read.
+struct ExrTraits {
+  bool tiled = false, deep = false, subsampled = false;
+  bool whole = true;              ///< each header ends, and lacks nothing
+  std::vector<int> compressions;  ///< of the parts, as EXR numbers them
+};
 
 /// Looks through the headers of an EXR file of `size` bytes.
 class ExrHeader {
@@ -35,6 +45,9 @@ class ExrHeader {
     return "";
   }
 
+  /// After the check.
+  const ExrTraits& traits() const { return traits_; }
+
  private:
   struct Window {
     std::int64_t width = 0, height = 0;
@@ -48,9 +61,11 @@ class ExrHeader {
     double pixel_bytes = 0;
     int compression = 0;
     bool deep = false;
+    std::size_t required = 0;
     for (;;) {
       const std::string name = text();
       if (!file_ || name.empty()) break;
+      required += is_required(name) ? 1 : 0;
       text();  // the type
       const std::int64_t bytes = number();
       const std::istream::pos_type begin = file_.tellg();
@@ -73,6 +88,10 @@ class ExrHeader {
       }
       file_.seekg(begin + std::istream::off_type(bytes));
     }
+    traits_.whole = traits_.whole && file_ && required == required_names.size();
+    traits_.tiled = traits_.tiled || tile.width != 0;
+    traits_.deep = traits_.deep || deep;
+    traits_.compressions.push_back(compression);
     // Cut off, which the library finds, too; or not an image that is read.
     if (!file_ || deep) return "";
     for (const Window& claimed : {data, display}) {
@@ -104,6 +123,16 @@ class ExrHeader {
   static constexpr double most_bytes =
       2 * 6 * 4 * static_cast<double>(most_pixels);
 
+  static constexpr std::array<std::string_view, 8> required_names = {
+      "channels",         "compression",        "dataWindow",
+      "displayWindow",    "lineOrder",          "pixelAspectRatio",
+      "screenWindowCenter", "screenWindowWidth"};
+
+  static bool is_required(const std::string& name) {
+    return std::find(required_names.begin(), required_names.end(), name) !=
+           required_names.end();
+  }
+
   /// How many bytes become one at best, as EXR numbers its compressions.
   static double packed_by(int compression) {
     if (compression == 0) return 1;
@@ -129,6 +158,7 @@ class ExrHeader {
     for (int c = file_.get(); c > 0 && result.size() < 256; c = file_.get()) {
       result += static_cast<char>(c);
     }
+    traits_.whole = traits_.whole && result.size() < 256;
     return result;
   }
 
@@ -160,12 +190,14 @@ class ExrHeader {
           static_cast<double>(std::max<std::int64_t>(number(), 1));
       const double rows =
           static_cast<double>(std::max<std::int64_t>(number(), 1));
+      traits_.subsampled = traits_.subsampled || columns * rows != 1;
       pixel_bytes += (type == 1 ? 2 : 4) / (columns * rows);
     }
   }
 
   std::istream& file_;
   std::uintmax_t size_;
+  ExrTraits traits_;
 };
 
 }  // namespace lightwalk

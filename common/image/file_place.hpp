@@ -11,6 +11,7 @@
 #include <string>
 #include <system_error>
 
+#include "common/image/file_path.hpp"
 #include "common/image/image_error.hpp"
 
 #ifndef _WIN32
@@ -27,9 +28,9 @@ namespace lightwalk {
 
 inline void check_folder_of(const std::string& path) {
   std::error_code ignored;
-  const auto folder = std::filesystem::path(path).parent_path();
+  const auto folder = file_path(path).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
-    throw ImageError("there is no folder '" + folder.string() + "'");
+    throw ImageError("there is no folder '" + name_of(folder) + "'");
   }
 }
 

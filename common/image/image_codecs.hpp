@@ -1,18 +1,17 @@
 #pragma once
 
-// The small interface to OpenImageIO, which few compiled files implement. It
-// is loaded when the first image needs it: at the start of every program it
-// would cost a second.
+// The small interface to OpenImageIO, or to two smaller libraries where that
+// is not there, which few compiled files implement. It is loaded when the
+// first image needs it: at the start of every program it would cost a second.
 
 #include <string>
+#include <string_view>
 
 #include "common/image/render_result.hpp"
 #include "common/image/texture.hpp"
+#include "common/image/windows.hpp"
 
-#ifdef _WIN32
-#define WIN32_LEAN_AND_MEAN
-#include <windows.h>
-#else
+#ifndef _WIN32
 #include <dlfcn.h>
 #endif
 
@@ -39,28 +38,43 @@ struct ImageCodecs {
 using GetImageCodecs = const ImageCodecs*();
 inline constexpr const char* image_codecs_symbol = "lightwalk_image_codecs";
 
-/// The library, or null and the reason in `error`.
-inline const ImageCodecs* image_codecs(std::string& error) {
+/// The function that a module has, looked for beside the program; null and
+/// the reason in `error` where there is none.
+inline GetImageCodecs* load_image_codecs(const char* file,
+                                         std::string& error) {
 #ifdef _WIN32
-  static const HMODULE module = LoadLibraryA(LIGHTWALK_IMAGE_LIBRARY);
-  static const std::string why = module ? "" : "it is not beside the program";
-  const auto get = module ? reinterpret_cast<GetImageCodecs*>(
-                                GetProcAddress(module, image_codecs_symbol))
-                          : nullptr;
+  const HMODULE module = LoadLibraryA(file);
+  if (!module) error = std::string("there is no ") + file;
+  // By way of a function without a type: each cast is warned of otherwise.
+  return module ? reinterpret_cast<GetImageCodecs*>(reinterpret_cast<void (*)()>(
+                      GetProcAddress(module, image_codecs_symbol)))
+                : nullptr;
 #else
 #ifdef __APPLE__
-  static constexpr const char* file = "@rpath/" LIGHTWALK_IMAGE_LIBRARY;
+  void* const module =
+      dlopen((std::string("@rpath/") + file).c_str(), RTLD_NOW | RTLD_LOCAL);
 #else
-  static constexpr const char* file = LIGHTWALK_IMAGE_LIBRARY;
+  void* const module = dlopen(file, RTLD_NOW | RTLD_LOCAL);
 #endif
-  static void* const module = dlopen(file, RTLD_NOW | RTLD_LOCAL);
-  static const std::string why = module ? "" : dlerror();
-  const auto get = module ? reinterpret_cast<GetImageCodecs*>(
-                                dlsym(module, image_codecs_symbol))
-                          : nullptr;
+  if (!module) error = dlerror();
+  return module ? reinterpret_cast<GetImageCodecs*>(
+                      dlsym(module, image_codecs_symbol))
+                : nullptr;
 #endif
+}
+
+/// The library, or null and the reason in `error`.
+inline const ImageCodecs* image_codecs(std::string& error) {
+  if (std::string_view(LIGHTWALK_IMAGE_LIBRARY).empty()) {
+    error = "needs OpenImageIO, or tinyexr and stb, and this program was "
+            "built with neither; .pfm and .ppm need none";
+    return nullptr;
+  }
+  static std::string why;
+  static GetImageCodecs* const get =
+      load_image_codecs(LIGHTWALK_IMAGE_LIBRARY, why);
   if (!get) {
-    error = "the image library cannot be loaded: " + why;
+    error = "needs the image library, which cannot be loaded: " + why;
     return nullptr;
   }
   return get();

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "common/image/file_bytes.hpp"
+#include "common/image/file_path.hpp"
 #include "common/image/image_codecs.hpp"
 #include "common/image/image_error.hpp"
 #include "common/image/pfm.hpp"
@@ -23,7 +24,7 @@ namespace lightwalk {
 
 /// The ending of a file's name in lower case, such as ".exr".
 inline std::string ending(const std::string& path) {
-  std::string text = std::filesystem::path(path).extension().string();
+  std::string text = name_of(file_path(path).extension());
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
     return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
   });
@@ -36,11 +37,12 @@ inline bool is_image_ending(const std::string& text) {
   return std::find(known.begin(), known.end(), text) != known.end();
 }
 
-/// The image library; an ImageError where it cannot be loaded.
-inline const ImageCodecs& need_image_codecs() {
+/// The image library; an ImageError where it cannot be loaded. `format` is an
+/// ending such as ".exr".
+inline const ImageCodecs& need_image_codecs(const std::string& format) {
   std::string error;
   const ImageCodecs* library = image_codecs(error);
-  if (!library) throw ImageError(error);
+  if (!library) throw ImageError(format + " " + error);
   return *library;
 }
 
@@ -48,7 +50,7 @@ inline const ImageCodecs& need_image_codecs() {
 inline void check_writable(const std::string& path) {
   check_place(path);
   const std::string format = ending(path);
-  if (format == ".exr" || format == ".png") need_image_codecs();
+  if (format == ".exr" || format == ".png") need_image_codecs(format);
 }
 
 /// The file's bytes, in the format that an ending like ".exr" asks for.
@@ -57,7 +59,7 @@ inline std::string encode_image(const std::string& format,
                                 const ToneMapping& mapping) {
   if (format == ".pfm") return encode_pfm(result.radiance);
   if (format == ".ppm") return encode_ppm(result.radiance);
-  const ImageCodecs& library = need_image_codecs();
+  const ImageCodecs& library = need_image_codecs(format);
   std::string bytes;
   const std::string error =
       format == ".exr"
@@ -79,13 +81,13 @@ inline void write_image(const std::string& path, const RenderResult& result,
 inline RenderResult read_image(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  const fs::file_status status = fs::status(file_path(path), error);
   if (!fs::exists(status)) throw ImageError("there is no such file");
   if (!fs::is_regular_file(status)) throw ImageError("it is not a file");
   RenderResult result;
   const std::string format = ending(path);
   if (format == ".exr" || format == ".png") {
-    const ImageCodecs& library = need_image_codecs();
+    const ImageCodecs& library = need_image_codecs(format);
     const std::string why = format == ".exr"
                                 ? library.read_exr(path, result)
                                 : library.read_png(path, result.radiance);
@@ -103,7 +105,7 @@ inline RenderResult read_image(const std::string& path) {
   }
   const std::size_t most =
       most_ppm_bytes(first_bytes(path, longest_ppm_header));
-  if (const std::uintmax_t size = fs::file_size(path); size > most) {
+  if (const std::uintmax_t size = fs::file_size(file_path(path)); size > most) {
     throw ImageError("it has " + std::to_string(size) +
                      " bytes, and its pixels take " + std::to_string(most) +
                      " at most");

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "common/image/file_path.hpp"
 #include "common/image/image_file.hpp"
 #include "common/image/texture.hpp"
 
@@ -19,10 +20,10 @@ inline Texture load_texture(const std::string& folder,
     throw ImageError("its name has a NUL character");
   }
   std::error_code error;
-  const fs::path root = fs::weakly_canonical(folder.empty() ? "." : folder);
-  const fs::path file = fs::weakly_canonical(root / path, error);
+  const fs::path root = fs::weakly_canonical(file_path(folder.empty() ? "." : folder));
+  const fs::path file = fs::weakly_canonical(root / file_path(path), error);
   const fs::path inside = file.lexically_relative(root);
-  if (fs::path(path).is_absolute() || inside.empty() ||
+  if (file_path(path).is_absolute() || inside.empty() ||
       *inside.begin() == "..") {
     throw ImageError("it must lie in the scene's folder, or below it");
   }
@@ -35,7 +36,7 @@ inline Texture load_texture(const std::string& folder,
   }
   Texture texture;
   const std::string why =
-      need_image_codecs().read_texture(file.string(), texture);
+      need_image_codecs(format).read_texture(name_of(file), texture);
   if (!why.empty()) throw ImageError(why);
   return texture;
 }

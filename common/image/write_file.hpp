@@ -24,6 +24,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "common/image/file_path.hpp"
 #include "common/image/file_place.hpp"
 #include "common/image/image_error.hpp"
 
@@ -44,7 +45,7 @@ inline std::string unfinished_name(const std::string& path) {
   std::snprintf(name, sizeof name, ".unfinished-%08x%08x",
                 static_cast<unsigned>(random()),
                 static_cast<unsigned>(random()));
-  return (std::filesystem::path(path).parent_path() / name).string();
+  return name_of(file_path(path).parent_path() / name);
 }
 
 /// The unfinished file that there is now, for whoever ends the program.
@@ -208,40 +209,10 @@ inline void check_place(const std::string& path) {
   const UnfinishedFile trial(place);
 }
 
-#else
-
-inline void write_file(const std::string& path, std::string_view bytes) {
-  check_folder_of(path);
-  const std::string unfinished = unfinished_name(path);
-  std::FILE* const file = std::fopen(unfinished.c_str(), "wbx");
-  if (!file) throw_system_error(errno);
-  int error = 0;
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() ||
-      std::fflush(file) != 0) {
-    error = errno;
-  }
-  if (std::fclose(file) != 0 && error == 0) error = errno;
-  std::error_code renaming;
-  if (error == 0) std::filesystem::rename(unfinished, path, renaming);
-  if (error == 0 && !renaming) return;
-  std::remove(unfinished.c_str());
-  if (error != 0) throw_system_error(error);
-  throw ImageError(renaming.message());
-}
-
-inline void check_place(const std::string& path) {
-  check_folder_of(path);
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw ImageError("it is a folder");
-  }
-  const std::string unfinished = unfinished_name(path);
-  std::FILE* const file = std::fopen(unfinished.c_str(), "wbx");
-  if (!file) throw_system_error(errno);
-  std::fclose(file);
-  std::remove(unfinished.c_str());
-}
-
 #endif
 
 }  // namespace lightwalk
+
+#ifdef _WIN32
+#include "common/image/write_file_windows.hpp"
+#endif

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/image/windows.hpp"
 #include "common/program/with_unit.hpp"
 #include "common/render/film.hpp"
 #include "common/scene/camera.hpp"
@@ -18,7 +19,13 @@ namespace lightwalk {
 
 /// The memory of the machine in bytes, or 0 where it is not known.
 inline double physical_memory() {
-#if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
+#ifdef _WIN32
+  MEMORYSTATUSEX status{};
+  status.dwLength = sizeof status;
+  return GlobalMemoryStatusEx(&status)
+             ? static_cast<double>(status.ullTotalPhys)
+             : 0;
+#elif defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
          static_cast<double>(sysconf(_SC_PAGESIZE));
 #else

@@ -166,6 +166,7 @@ std::optional<int> parse_options(int argc, char** argv,
                                  Options& options) {
   const std::string& program = expected.program;
   CLI::App app(expected.description, program);
+  app.allow_windows_style_options(false);  // /home/ana/box.toml is a file
   // An option that is given twice counts as it was given last.
   app.option_defaults()->multi_option_policy(
       CLI::MultiOptionPolicy::TakeLast);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "common/image/file_path.hpp"
 #include "common/image/image_file.hpp"
 #include "common/scene_file/message_text.hpp"
 
@@ -30,8 +31,8 @@ void check_file(const std::string& path) {
 
 bool holds_something(const std::string& path) {
   std::error_code error;
-  return std::filesystem::is_regular_file(path, error) &&
-         std::filesystem::file_size(path, error) > 0 && !error;
+  return std::filesystem::is_regular_file(file_path(path), error) &&
+         std::filesystem::file_size(file_path(path), error) > 0 && !error;
 }
 
 }  // namespace

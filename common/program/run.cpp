@@ -8,6 +8,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "common/program/console.hpp"
 #include "common/program/cost_warning.hpp"
 #include "common/program/instruction_sets.hpp"
 #include "common/program/memory.hpp"
@@ -236,6 +237,7 @@ int run_scene(const Program& program, const Tracing& tracing,
 int run(int argc, char** argv, const Program& program,
         const Tracing& tracing) {
   run_variant_for_this_processor(argv);
+  prepare_console();
   Options options;
   const CommandLine expected{.program = program.name,
                              .description = program.description,

@@ -10,7 +10,9 @@
 
 namespace lightwalk {
 
-#ifdef SIGHUP
+#ifdef SIGBREAK  // Windows: Ctrl-Break
+inline constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGBREAK};
+#elif defined(SIGHUP)
 inline constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
 #else
 inline constexpr int ending_signals[] = {SIGINT, SIGTERM};
@@ -27,9 +29,14 @@ inline void catch_ending_signals(void (*handler)(int)) {
 /// A handler: ends the program as the signal would have done, and leaves no
 /// unfinished file behind.
 inline void end_by_signal(int signal) {
-#ifndef _WIN32
-  if (const char* const name = unfinished_file.load()) unlink(name);
+  if (const char* const name = unfinished_file.load()) {
+#ifdef _WIN32
+    // Handlers run in a thread of their own there. An open file stays.
+    DeleteFileA(name);
+#else
+    unlink(name);
 #endif
+  }
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }

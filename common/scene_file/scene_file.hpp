@@ -9,6 +9,7 @@
 #include <string>
 
 #include "common/image/file_bytes.hpp"
+#include "common/image/file_path.hpp"
 #include "common/render/render_settings.hpp"
 #include "common/scene/scene.hpp"
 #include "common/scene_file/coincident_shapes.hpp"
@@ -132,14 +133,14 @@ inline constexpr std::uintmax_t most_scene_bytes = 1 << 28;
 inline std::string read_scene_text(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  const fs::file_status status = fs::status(file_path(path), error);
   const auto fail = [&](const std::string& why) {
     throw SceneError((path.empty() ? "''" : path) + ": " + why);
   };
   if (!fs::exists(status)) fail("there is no such scene file");
   if (fs::is_directory(status)) fail("is a folder, not a scene file");
   if (!fs::is_regular_file(status)) fail("is not a regular file");
-  const std::uintmax_t size = fs::file_size(path, error);
+  const std::uintmax_t size = fs::file_size(file_path(path), error);
   if (!error && size > most_scene_bytes) fail("is larger than 256 MB");
   try {
     return first_bytes(path, most_scene_bytes);
@@ -162,7 +163,7 @@ inline LoadedScene parse_scene(std::string_view text, const std::string& path,
   }
   LoadedScene loaded =
       SceneReader(syllabus,
-                  std::filesystem::path(path).parent_path().string())
+                  name_of(file_path(path).parent_path()))
           .read(root);
   loaded.sha256 = sha256(text);
   for (const auto& warning :

@@ -107,7 +107,8 @@ class BriefReporter : public doctest::IReporter {
     std::size_t written = 0;
     while (written < line.size()) {
       const auto count =
-          write(pipe_, line.data() + written, line.size() - written);
+          write(pipe_, line.data() + written,
+                static_cast<unsigned>(line.size() - written));
       if (count <= 0) break;
       written += static_cast<std::size_t>(count);
     }

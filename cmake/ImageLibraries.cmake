@@ -1,0 +1,38 @@
+# Finds what reads and writes EXR, PNG and JPEG: OpenImageIO, or the small
+# libraries tinyexr and stb. With neither, programs write PFM and PPM.
+option(LIGHTWALK_OPENIMAGEIO "Use OpenImageIO where it is installed" ON)
+option(LIGHTWALK_SMALL_IMAGES "Use tinyexr and stb where OpenImageIO is not" ON)
+
+if(LIGHTWALK_OPENIMAGEIO)
+  find_package(OpenImageIO CONFIG QUIET)
+endif()
+if(TARGET OpenImageIO::OpenImageIO)
+  # Debian's package names an OpenCV include folder that only exists when
+  # OpenCV's headers are installed, which nothing here needs.
+  get_target_property(folders OpenImageIO::OpenImageIO
+                      INTERFACE_INCLUDE_DIRECTORIES)
+  set(existing)
+  foreach(folder IN LISTS folders)
+    if(folder MATCHES "^\\$<" OR IS_DIRECTORY "${folder}")
+      list(APPEND existing "${folder}")
+    endif()
+  endforeach()
+  set_target_properties(OpenImageIO::OpenImageIO
+                        PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${existing}")
+  list(APPEND image_libraries OpenImageIO::OpenImageIO)
+endif()
+
+# Headers, which a file of ours compiles; tinyexr wants zlib.
+if(LIGHTWALK_SMALL_IMAGES)
+  find_package(ZLIB QUIET)
+  find_path(TINYEXR_FOLDER tinyexr.h HINTS ${LIGHTWALK_HEADER_FOLDER})
+  find_path(STB_FOLDER stb_image_write.h PATH_SUFFIXES stb
+            HINTS ${LIGHTWALK_HEADER_FOLDER})
+endif()
+if(ZLIB_FOUND AND TINYEXR_FOLDER AND STB_FOLDER)
+  add_library(small_image_libraries INTERFACE)
+  target_include_directories(small_image_libraries SYSTEM
+                             INTERFACE ${TINYEXR_FOLDER} ${STB_FOLDER})
+  target_link_libraries(small_image_libraries INTERFACE ZLIB::ZLIB)
+  list(APPEND image_libraries small_image_libraries)
+endif()

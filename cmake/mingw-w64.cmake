@@ -1,0 +1,35 @@
+# Programs for 64-bit Windows, made on Linux: a toolchain file for CMake, with
+# Debian's g++-mingw-w64-x86-64-posix and libz-mingw-w64-dev.
+#
+#   cmake -S . -B build-windows -DCMAKE_TOOLCHAIN_FILE=cmake/mingw-w64.cmake
+#
+# The libraries are headers, the same as for Linux. A folder of links to just
+# these keeps all others of /usr/include away.
+set(CMAKE_SYSTEM_NAME Windows)
+set(CMAKE_SYSTEM_PROCESSOR x86_64)
+set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)
+set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
+
+set(header_folder ${CMAKE_BINARY_DIR}/headers)
+if(NOT EXISTS ${header_folder})
+  file(MAKE_DIRECTORY ${header_folder})
+  foreach(header glm CLI toml++ nlohmann doctest stb tinyexr.h)
+    if(EXISTS /usr/include/${header})
+      file(CREATE_LINK /usr/include/${header} ${header_folder}/${header} SYMBOLIC)
+    endif()
+  endforeach()
+endif()
+# For CMake's find_path, and for what it knows as packages of headers.
+set(CMAKE_FIND_ROOT_PATH /usr/x86_64-w64-mingw32)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+set(LIGHTWALK_HEADER_FOLDER ${header_folder})
+set(TINYEXR_FOLDER ${header_folder} CACHE PATH "")
+set(STB_FOLDER ${header_folder}/stb CACHE PATH "")
+set(ZLIB_LIBRARY /usr/x86_64-w64-mingw32/lib/libz.a CACHE FILEPATH "")
+
+# Nothing to be installed beside the programs.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
+set(CMAKE_MODULE_LINKER_FLAGS_INIT "-static")

@@ -1,0 +1,25 @@
+// The code of tinyexr and stb, which are headers: compiled here, once, as they
+// are. Their asserts would end a program whose file is broken; what they ask
+// for is checked before.
+
+#ifndef NDEBUG
+#define NDEBUG
+#endif
+
+#include <zlib.h>
+
+#define TINYEXR_IMPLEMENTATION
+#define TINYEXR_USE_MINIZ 0
+#define TINYEXR_USE_PIZ 0
+#define TINYEXR_USE_THREAD 0
+#include <tinyexr.h>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_NO_STDIO
+#include <stb_image.h>
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb_image_write.h>

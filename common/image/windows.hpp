@@ -1,0 +1,21 @@
+#pragma once
+
+// Windows' header, without its macros that are words of ours. Empty elsewhere.
+
+#ifdef _WIN32
+#ifndef WIN32_LEAN_AND_MEAN
+#define WIN32_LEAN_AND_MEAN
+#endif
+#ifndef NOMINMAX
+#define NOMINMAX
+#endif
+#include <windows.h>
+
+// Of 16-bit times. Other headers of Windows write them in capitals.
+#undef near
+#undef far
+#undef NEAR
+#undef FAR
+#define NEAR
+#define FAR
+#endif

@@ -1,0 +1,148 @@
+"""Programs for Windows, made by mingw-w64 and run under wine: `make test-windows`.
+
+Each stage paints its box in every format, and the picture is compared with the
+native program's; then each stage's suite runs. Takes minutes, and is skipped
+where mingw-w64 or wine is not installed: `tools/setup.sh windows`.
+"""
+
+import array
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from compare.stages import BUILD, ROOT
+
+WINDOWS = BUILD / "windows"
+STAGES = range(1, 6)
+SUITES = ["core", *(f"stage{stage}" for stage in STAGES)]
+# Boxes as far as a stage can render them.
+SCENES = {1: "cornell_box_ceiling_diffuse", 2: "cornell_box_point_diffuse"}
+
+
+def wine_program():
+    """Wine for 64-bit programs; without Debian's package `wine` it has no command."""
+    for name in ("wine64", "wine", "/usr/lib/wine/wine64"):
+        if found := shutil.which(name):
+            return found
+    return None
+
+
+def missing():
+    """What is not installed, or an empty text."""
+    compiler = shutil.which("x86_64-w64-mingw32-g++-posix")
+    absent = ([] if compiler else ["mingw-w64"]) + ([] if wine_program() else ["wine"])
+    return " and ".join(absent)
+
+
+def pixels(path):
+    """The numbers of a PFM file of this machine's byte order."""
+    kind, size, scale, rest = path.read_bytes().split(b"\n", 3)
+    assert (kind, float(scale)) == (b"PF", -1.0), (kind, scale)
+    numbers = array.array("f", rest)
+    width, height = map(int, size.split())
+    assert len(numbers) == 3 * width * height
+    return numbers
+
+
+@unittest.skipIf(missing(), f"NOT TESTED: {missing()} is missing; tools/setup.sh windows")
+class Windows(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        prefix = WINDOWS / "wine"
+        cls.environment = os.environ | {"WINEDEBUG": "-all", "WINEPREFIX": str(prefix)}
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def run_windows(self, program, *arguments, limit=1200):
+        """Runs a program under wine; returns what subprocess.run returns."""
+        return subprocess.run(
+            [wine_program(), WINDOWS / f"{program}.exe", *map(str, arguments)],
+            cwd=self.folder,
+            env=self.environment,
+            capture_output=True,
+            encoding="utf-8",
+            timeout=limit,
+        )
+
+    def paint(self, stage, *arguments):
+        done = self.run_windows(f"stage{stage}", *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def test_each_stage_paints_what_the_native_program_paints(self):
+        for stage in STAGES:
+            with self.subTest(stage=stage):
+                scene = ROOT / f"scenes/{SCENES.get(stage, 'cornell_box_point')}.toml"
+                options = [scene, "--size", "64x64", "--spp", "4"]
+                names = [f"{stage}.{ending}" for ending in ("pfm", "ppm", "png", "exr")]
+                outputs = [word for name in names for word in ("-o", name)]
+                done = self.paint(stage, *options, *outputs)
+                self.assertNotIn("\r", done.stdout)
+                for name in names:
+                    self.assertTrue((self.folder / name).stat().st_size > 0, name)
+                native = self.folder / f"native{stage}.pfm"
+                program = BUILD / f"stage{stage}"
+                subprocess.run([program, *options, "-q", "-o", native], check=True)
+                self.compare(stage, pixels(native), pixels(self.folder / f"{stage}.pfm"))
+                # The EXR holds the same floats, as the native program reads it.
+                same = [BUILD / "stage-diff", f"{stage}.exr", native, "--json"]
+                read = subprocess.run(same, cwd=self.folder, capture_output=True, text=True)
+                self.assertIn(read.returncode, (0, 1), read.stderr)
+
+    def compare(self, stage, expected, seen):
+        """The libraries of mathematics differ in the last bit of some functions, and a path
+        may turn off there: then a pixel differs by all that the path brings."""
+        self.assertEqual(len(expected), len(seen))
+        differ = sum(a != b for a, b in zip(expected, seen))
+        apart = sum(abs(a - b) > 1e-5 * (1 + abs(a)) for a, b in zip(expected, seen))
+        print(f"stage{stage}: of {len(seen)} numbers {differ} differ, {apart} by more than rounding")
+        self.assertLess(apart, len(seen) / 100, f"stage{stage} is another picture on Windows")
+
+    def test_names_of_files_are_utf_8(self):
+        place = self.folder / "ñandú Ω"
+        place.mkdir()
+        scene = place / "escena ü.toml"
+        shutil.copy(ROOT / "scenes/cornell_box_ceiling_diffuse.toml", scene)
+        name = "ñandú Ω/imagen é.png"
+        done = self.paint(1, scene, "--size", "8x8", "--spp", "1", "-o", name)
+        self.assertTrue((self.folder / name).is_file())
+        self.assertIn(name, done.stdout)
+
+    def test_a_picture_replaces_an_old_one_and_nothing_else_is_left(self):
+        place = self.folder / "replaced"
+        place.mkdir()
+        (place / "a.pfm").write_bytes(b"old")
+        scene = ROOT / "scenes/cornell_box_ceiling_diffuse.toml"
+        self.paint(1, scene, "--size", "8x8", "--spp", "1", "-o", "replaced/a.pfm")
+        self.assertEqual([path.name for path in place.iterdir()], ["a.pfm"])
+        self.assertEqual(len(pixels(place / "a.pfm")), 8 * 8 * 3)
+
+    def test_what_cannot_be_written_is_said_in_one_line(self):
+        scene = ROOT / "scenes/cornell_box_ceiling_diffuse.toml"
+        done = self.run_windows("stage1", scene, "-o", "nowhere/a.png")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(
+            done.stderr,
+            "stage1: nowhere/a.png cannot be written: there is no folder 'nowhere'\n",
+        )
+
+    def test_the_suites_pass(self):
+        for suite in SUITES:
+            with self.subTest(suite=suite):
+                done = self.run_windows(f"{suite}_tests", "-r=brief")
+                print(f"{suite}: {done.stdout.strip().splitlines()[-1:]}")
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+if __name__ == "__main__":
+    if missing():
+        print(f"NOT TESTED: {missing()} is missing; tools/setup.sh windows", file=sys.stderr)
+    unittest.main(verbosity=2)
