@@ -94,12 +94,12 @@ TEST_CASE("an emission is counted if it was asked for, and only then") {
     const char* name;
     bool added, expected;
   };
-  for (const Case& one : {Case{ball, "sphere", true, true},
-                          Case{window, "rectangle", true, true},
-                          Case{wall, "plane", true, false},
-                          Case{ball, "sphere", false, false},
-                          Case{window, "rectangle", false, false},
-                          Case{wall, "plane", false, false}}) {
+  for (const Case& one :
+       {Case{ball, "sphere", true, true},
+        Case{window, "rectangle", true, true},
+        Case{wall, "plane", true, false}, Case{ball, "sphere", false, false},
+        Case{window, "rectangle", false, false},
+        Case{wall, "plane", false, false}}) {
     INFO("a ", one.name, " is hit, and direct light was ",
          one.added ? "added" : "not added", " at the surface before");
     CHECK(counted(one.shape, one.added) == one.expected);

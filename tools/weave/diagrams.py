@@ -186,7 +186,7 @@ def ray_counts():
     bounds = range(1, 11)
     x0, y0, dx, dy = 70, 290, 46, 68
     yield from axes(x0, y0, 480, 270)
-    for power in range(0, 4):
+    for power in range(4):
         y = y0 - dy * power
         yield line(x0, y, x0 + 480, y, FAINT, 1)
         yield text(x0 - 10, y + 5, f"{10**power:,}", SOFT, "end", size=13)
@@ -225,7 +225,7 @@ def fresnel_curves():
         yield from axes(x0, y0, width, height)
         for i, (color, dash) in enumerate(((INK, ""), (WARM, "6 3"), (COOL, "2 3"))):
             yield curve(
-                [(x0 + width * a / 180, y0 - height * fresnel(a / 2, ratio)[i]) for a in range(0, 181)],
+                [(x0 + width * a / 180, y0 - height * fresnel(a / 2, ratio)[i]) for a in range(181)],
                 color,
                 2 if not i else 1.6,
                 dash,

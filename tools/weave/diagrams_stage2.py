@@ -7,8 +7,7 @@ import struct
 import subprocess
 import zlib
 
-from compare.stages import BUILD, ROOT, read_pfm, render
-
+from compare.stages import BUILD, ROOT, Failure, read_pfm, render
 from tools.weave.drawing import (
     COOL,
     GLASS,
@@ -98,7 +97,9 @@ def lamp_cone():
     near = d * math.cos(a) - math.sqrt(r * r - (d * math.sin(a)) ** 2)
     far = d * math.cos(a) + math.sqrt(r * r - (d * math.sin(a)) ** 2)
     yield line(x, y, x + near * math.cos(a), y - near * math.sin(a), WARM, 2.4, True)
-    yield dashed(x + near * math.cos(a), y - near * math.sin(a), x + far * math.cos(a), y - far * math.sin(a), WARM)
+    yield dashed(
+        x + near * math.cos(a), y - near * math.sin(a), x + far * math.cos(a), y - far * math.sin(a), WARM
+    )
     yield from angle(x, y, 90 - edge, 90, 150, "", SOFT)
     yield symbol(x + 176, y - 62, "t_m", SOFT)
     yield from angle(x, y, 80.5, 90, 96, "", WARM)
@@ -269,7 +270,12 @@ def png(width, height, rows):
 
     lines = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
     head = struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b"")
+    return (
+        b"\x89PNG\r\n\x1a\n"
+        + chunk(b"IHDR", head)
+        + chunk(b"IDAT", zlib.compress(lines))
+        + chunk(b"IEND", b"")
+    )
 
 
 def difference(a, b):
@@ -289,23 +295,29 @@ def difference(a, b):
     return png(width, height, rows)
 
 
+def verdict_on(a, b):
+    """What stage-diff says of two images."""
+    done = subprocess.run([BUILD / "stage-diff", "--json", a, b], check=False, capture_output=True, text=True)
+    if done.returncode > 1:
+        raise Failure(f"drawing 'stage-2-minus-1': {done.stderr.strip()}")
+    return json.loads(done.stdout)
+
+
 @diagram("stage-2-minus-1", 520, 320)
 def stage_2_minus_1():
     """Differences of two renders, and what stage-diff says of them."""
     found = rendered(1, 1024, 1)
-    for x, name, mistake in ((8, "stage 2 − stage 1", None), (268, "the lamp counted twice", "lamps-counted-twice")):
+    for x, name, mistake in (
+        (8, "stage 2 − stage 1", None),
+        (268, "the lamp counted twice", "lamps-counted-twice"),
+    ):
         asked = rendered(2, 256, 2, mistake)
         data = base64.b64encode(difference(asked, found)).decode()
         yield (
             f'<image x="{x}" y="8" width="244" height="244" style="image-rendering:pixelated" '
             f'href="data:image/png;base64,{data}"/>'
         )
-        said = subprocess.run(
-            [BUILD / "stage-diff", "--json", asked.with_suffix(".exr"), found.with_suffix(".exr")],
-            capture_output=True,
-            text=True,
-        )
-        said = json.loads(said.stdout)
+        said = verdict_on(asked.with_suffix(".exr"), found.with_suffix(".exr"))
         yield text(x + 122, 278, name)
         verdict = "the same" if said["same"] else "different"
         yield text(x + 122, 306, f"largest z {said['worst']['z']:.1f}: {verdict}", SOFT)
