@@ -93,9 +93,9 @@ using stage2::is_counted;
 // $(\omega_o \cdot n)\,n$, and the rest, which lies in the surface. A mirror
 // keeps the first part and turns the second around:
 //
-// $$\omega_r
-// = (\omega_o \cdot n)\,n - \big(\omega_o - (\omega_o \cdot n)\,n\big)
-// = 2n\,(\omega_o \cdot n) - \omega_o$$
+// $$\begin{aligned} \omega_r
+// &= (\omega_o \cdot n)\,n - \big(\omega_o - (\omega_o \cdot n)\,n\big)
+// \\ &= 2n\,(\omega_o \cdot n) - \omega_o \end{aligned}$$
 //
 // ![](mirror-parts)
 // The slide has $\omega_r = \omega_o - 2n\,(\omega_o \cdot n)$. There
@@ -217,9 +217,11 @@ inline float relative_eta(const Surface& surface) {
 // ![](radiance-disks)
 // The same holds for each small piece of the disk:
 //
-// $$\cos\theta_i\,d\omega_i = \sin\theta_i \cos\theta_i\,d\theta_i\,d\phi
-// = \tfrac{1}{2}\,d(\sin^2\theta_i)\,d\phi
-// = \left(\frac{\eta_o}{\eta_i}\right)^2 \cos\theta_o\,d\omega_o$$
+// $$\begin{aligned} \cos\theta_i\,d\omega_i
+// &= \cos\theta_i \sin\theta_i\,d\theta_i\,d\phi
+// = \tfrac{1}{2}\,d(\sin^2\theta_i)\,d\phi \\ &=
+// \left(\frac{\eta_o}{\eta_i}\right)^2 \cos\theta_o\,d\omega_o
+// \end{aligned}$$
 //
 // The first step is stage 1's $d\omega$, the last is Snell's law squared. An
 // area of the surface passes on the power that it gets, times $k_t$: $L_o
@@ -244,6 +246,8 @@ inline float relative_eta(const Surface& surface) {
 //     $ build/stage3 scenes/cornell_box_point.toml --max-bounces 3
 //     > --pixel 170,200 --sample 3
 //     ...
+//     vertex 0: sphere[1] of 'glass', bounce 0
+//     ...
 //       normal     ( -0.5382,   0.4187,  -0.7315)  the path is outside
 //       wo         ( -0.1091,   0.1851,  -0.9766)
 //     ...
@@ -254,6 +258,8 @@ inline float relative_eta(const Surface& surface) {
 //     ...
 //         goes on    (  0.4237,  -0.3605,   0.8310)  refraction
 //         weight     (   2.025,    2.025,    2.025)  to vertex 8
+//     ...
+//         vertex 8: plane[2] of 'white', bounce 2
 //     ...
 //           throughput (    0.81,     0.81,     0.81)
 //           light      ( -0.4413,   0.8195,  -0.3656)  at 1.83: reached
@@ -278,8 +284,9 @@ inline float relative_eta(const Surface& surface) {
 //
 // $$f_r = k_d\,\frac{1}{\pi}
 // + k_s\,\frac{\delta_{\omega_r}(\omega_i)}{n \cdot \omega_i}
-// + k_t\,\frac{\delta_{\omega_t}(\omega_i)}{|n \cdot \omega_i|},
-// \qquad k_d + k_s + k_t \le 1$$
+// + k_t\,\frac{\delta_{\omega_t}(\omega_i)}{|n \cdot \omega_i|}$$
+//
+// with $k_d + k_s + k_t \le 1$ in each channel.
 //
 // The slide's fourth coefficient $k_e$ is the emission $L_e(x, \omega_o)$.
 // Where $k_e > 0$ the other three are 0. `sample` finds a direction of one

@@ -91,7 +91,7 @@ def critical_cone():
         yield line(x, y, *polar(x, y, out, r + 20), WARM, 1.6, True)
     yield line(*polar(x, y, 180 + 62, 170), x, y, COOL, 1.8)
     yield line(x, y, *polar(x, y, 180 - 62, 170), COOL, 1.8, True)
-    yield text(x + 132, y + 108, "41.8°", INK, "start")
+    yield text(x + 84, y + 124, "41.8°", INK, "start")
     yield text(470, y + 36, "reflected", COOL, "end")
     yield text(48, y - 12, "air", SOFT, "start")
     yield text(48, y + 150, "glass", SOFT, "start")
@@ -99,7 +99,7 @@ def critical_cone():
 
 def disk(x, radius, scale, name, area):
     """Directions from the side, above, and as points of a disk, below."""
-    side, above, unit = 150, 285, 96
+    side, above, unit = 146, 356, 96
     turn = 180 if scale < 1 else 0
     edge = math.degrees(math.asin(scale))
     arc = [polar(x, side, turn + edge * i / 24, unit) for i in range(-24, 25)]
@@ -115,12 +115,12 @@ def disk(x, radius, scale, name, area):
         for step in range(12):
             px, py = polar(x, above, 30 * step, unit * scale * math.sin(math.radians(ring)))
             yield circle(px, py, 2.4, WARM)
-    yield text(x, 40, name)
+    yield text(x, 34, name)
     yield text(x, above + unit + 30, f"radius {radius}")
     yield text(x, above + unit + 54, f"area {area}", WARM)
 
 
-@diagram("radiance-disks", 520, 450)
+@diagram("radiance-disks", 520, 526)
 def radiance_disks():
     yield from disk(135, "1", 1, "outside", "π")
     yield from disk(385, "1/1.5", 1 / 1.5, "in the glass", "π/2.25")
