@@ -123,8 +123,9 @@ def bilinear():
     yield circle(px, py, 5.5, WARM)
     yield text((left + px) / 2, top + 20, "0.3", SOFT)
     yield text((left + size + px) / 2, top + 20, "0.7", SOFT)
-    yield text(px + 10, (top + py) / 2 + 14, "0.6", SOFT, "start")
-    yield text(px + 10, (top + size + py) / 2 + 2, "0.4", SOFT, "start")
+    yield dashed(px, py, left + size, py, WARM)
+    yield text(left + size + 8, (top + py) / 2 + 5, "0.6", SOFT, "start")
+    yield text(left + size + 8, (top + size + py) / 2 + 5, "0.4", SOFT, "start")
     for place, sum_ in enumerate(
         ("0.7 · 0.4 = 0.28", "0.3 · 0.4 = 0.12", "0.7 · 0.6 = 0.42", "0.3 · 0.6 = 0.18")
     ):
