@@ -32,10 +32,11 @@ using stage4::LobeChoice;
 //
 // In stage 3 glass reflected a fixed fraction at every angle. Real glass
 // reflects 4 % when you look straight at it, and everything at a grazing
-// angle. One word in the scene file asks for that:
+// angle. One word in the scene file asks for that (`eta` is 1.5 where
+// nothing else is said):
 //
-//     fixed   = { ks = 0.1, kt = 0.9, eta = 1.5 }
-//     fresnel = { ks = 1, kt = 1, eta = 1.5, fresnel = true }
+//     fixed   = { ks = 0.1, kt = 0.9 }
+//     fresnel = { ks = 1, kt = 1, fresnel = true }
 //
 // Look at both balls before you read the caption. Which one is glass?
 //

@@ -82,7 +82,10 @@ def uv():
     yield text(270, 190, "triangle")
     yield from globe(440, 100, 62)
     yield text(440, 190, "sphere")
-    far, near = ((190, 276), (350, 276), (350, 350), (190, 350)), ((90, 224), (450, 224), (450, 440), (90, 440))
+    far, near = (
+        ((190, 276), (350, 276), (350, 350), (190, 350)),
+        ((90, 224), (450, 224), (450, 440), (90, 440)),
+    )
     for first, second, fill in ((3, 0, GLASS), (2, 3, SAND), (1, 2, GLASS)):
         points = (near[first], near[second], far[second], far[first])
         path = " ".join(f"{a},{b}" for a, b in points)
@@ -120,9 +123,12 @@ def bilinear():
     yield circle(px, py, 5.5, WARM)
     yield text((left + px) / 2, top + 20, "0.3", SOFT)
     yield text((left + size + px) / 2, top + 20, "0.7", SOFT)
-    yield text(px + 10, (top + py) / 2 + 14, "0.6", SOFT, "start")
-    yield text(px + 10, (top + size + py) / 2 + 2, "0.4", SOFT, "start")
-    for place, sum_ in enumerate(("0.7 · 0.4 = 0.28", "0.3 · 0.4 = 0.12", "0.7 · 0.6 = 0.42", "0.3 · 0.6 = 0.18")):
+    yield dashed(px, py, left + size, py, WARM)
+    yield text(left + size + 8, (top + py) / 2 + 5, "0.6", SOFT, "start")
+    yield text(left + size + 8, (top + size + py) / 2 + 5, "0.4", SOFT, "start")
+    for place, sum_ in enumerate(
+        ("0.7 · 0.4 = 0.28", "0.3 · 0.4 = 0.12", "0.7 · 0.6 = 0.42", "0.3 · 0.6 = 0.18")
+    ):
         yield text(312, 96 + 30 * place, sum_, WARM, "start")
 
 

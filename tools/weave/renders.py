@@ -8,6 +8,7 @@ import hashlib
 import json
 import re
 import shlex
+import shutil
 import tomllib
 
 from compare.stages import BUILD, ROOT, Failure, render
@@ -46,13 +47,15 @@ class Render:
             raise Failure(f"{program} has not been built")
         return program
 
+    def images(self):
+        return re.findall(r'image = "(.*?)"', self.text)
+
     def key(self):
         program = self.program()
         digest = hashlib.sha256(program.read_bytes())
         digest.update(self.text.encode())
-        for picture in re.findall(r'image = "(.*?)"', self.text):
-            path = (ROOT / self.scene).parent / picture
-            digest.update(path.read_bytes())
+        for name in self.images():
+            digest.update(((ROOT / self.scene).parent / name).read_bytes())
         digest.update("\0".join(self.options).encode())
         return digest.hexdigest()[:20]
 
@@ -67,6 +70,9 @@ class Render:
         if self.changes:
             scene = made.with_suffix(".toml")
             scene.write_text(self.text)
+            for name in self.images():  # a scene reads what lies beside it
+                (cache / name).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy((ROOT / self.scene).parent / name, cache / name)
         try:
             report = render(self.program(), scene, made, *self.options)
         except Failure as failure:
