@@ -88,7 +88,8 @@ class ExrHeader {
       }
       file_.seekg(begin + std::istream::off_type(bytes));
     }
-    traits_.whole = traits_.whole && file_ && required == required_names.size();
+    traits_.whole =
+        traits_.whole && file_ && required == required_names.size();
     traits_.tiled = traits_.tiled || tile.width != 0;
     traits_.deep = traits_.deep || deep;
     traits_.compressions.push_back(compression);
@@ -124,8 +125,8 @@ class ExrHeader {
       2 * 6 * 4 * static_cast<double>(most_pixels);
 
   static constexpr std::array<std::string_view, 8> required_names = {
-      "channels",         "compression",        "dataWindow",
-      "displayWindow",    "lineOrder",          "pixelAspectRatio",
+      "channels",           "compression",      "dataWindow",
+      "displayWindow",      "lineOrder",        "pixelAspectRatio",
       "screenWindowCenter", "screenWindowWidth"};
 
   static bool is_required(const std::string& name) {

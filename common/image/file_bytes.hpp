@@ -17,7 +17,8 @@ namespace lightwalk {
 /// ImageError.
 inline std::string first_bytes(const std::string& path, std::uintmax_t most) {
   std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(file_path(path), error);
+  const std::uintmax_t size =
+      std::filesystem::file_size(file_path(path), error);
   std::ifstream file(path, std::ios::binary);
   if (error || !file) throw ImageError("it cannot be read");
   std::string bytes(static_cast<std::size_t>(std::min(size, most)), '\0');

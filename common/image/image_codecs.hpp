@@ -46,9 +46,10 @@ inline GetImageCodecs* load_image_codecs(const char* file,
   const HMODULE module = LoadLibraryA(file);
   if (!module) error = std::string("there is no ") + file;
   // By way of a function without a type: each cast is warned of otherwise.
-  return module ? reinterpret_cast<GetImageCodecs*>(reinterpret_cast<void (*)()>(
-                      GetProcAddress(module, image_codecs_symbol)))
-                : nullptr;
+  return module
+             ? reinterpret_cast<GetImageCodecs*>(reinterpret_cast<void (*)()>(
+                   GetProcAddress(module, image_codecs_symbol)))
+             : nullptr;
 #else
 #ifdef __APPLE__
   void* const module =
@@ -66,8 +67,9 @@ inline GetImageCodecs* load_image_codecs(const char* file,
 /// The library, or null and the reason in `error`.
 inline const ImageCodecs* image_codecs(std::string& error) {
   if (std::string_view(LIGHTWALK_IMAGE_LIBRARY).empty()) {
-    error = "needs OpenImageIO, or tinyexr and stb, and this program was "
-            "built with neither; .pfm and .ppm need none";
+    error =
+        "needs OpenImageIO, or tinyexr and stb, and this program was "
+        "built with neither; .pfm and .ppm need none";
     return nullptr;
   }
   static std::string why;

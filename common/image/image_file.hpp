@@ -105,7 +105,8 @@ inline RenderResult read_image(const std::string& path) {
   }
   const std::size_t most =
       most_ppm_bytes(first_bytes(path, longest_ppm_header));
-  if (const std::uintmax_t size = fs::file_size(file_path(path)); size > most) {
+  if (const std::uintmax_t size = fs::file_size(file_path(path));
+      size > most) {
     throw ImageError("it has " + std::to_string(size) +
                      " bytes, and its pixels take " + std::to_string(most) +
                      " at most");

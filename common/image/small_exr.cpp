@@ -6,10 +6,13 @@
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "common/image/exr_header.hpp"
 #include "common/image/exr_layers.hpp"
 #include "common/image/file_bytes.hpp"
+#include "common/image/file_path.hpp"
 #include "common/image/orientation.hpp"
 #include "common/image/small_exr_parts.hpp"
 #include "common/image/small_images.hpp"
@@ -32,16 +35,16 @@ std::string check_kind(const ExrTraits& traits) {
     return "one of its channels has not a value in each pixel, and without "
            "OpenImageIO such a file cannot be read";
   }
-  constexpr std::array names = {"no compression", "RLE",  "ZIPS", "ZIP",
-                                "PIZ",            "PXR24", "B44", "B44A",
-                                "DWAA",           "DWAB"};
+  constexpr std::array names = {
+      "no compression", "RLE", "ZIPS", "ZIP",  "PIZ",
+      "PXR24",          "B44", "B44A", "DWAA", "DWAB"};
   for (const int kind : traits.compressions) {
     if (kind == 0 || kind == 2 || kind == 3) continue;
     const auto index = static_cast<std::size_t>(kind);
     return "it is packed by " +
-           (kind >= 0 && index < names.size() ? std::string(names[index])
-                                              : "number " +
-                                                    std::to_string(kind)) +
+           (kind >= 0 && index < names.size()
+                ? std::string(names[index])
+                : "number " + std::to_string(kind)) +
            ", and without OpenImageIO only ZIP, ZIPS and no compression can "
            "be read";
   }
@@ -145,9 +148,8 @@ std::string take_layer(const ExrParts& file, const ExrLayer& layer,
                                  static_cast<std::size_t>(image.width) +
                              static_cast<std::size_t>(x - data.min_x);
       for (int c = 0; c < 3; ++c) {
-        result.at(x - shown.min_x, y - shown.min_y)[c] =
-            value(header, image, layer.channels[static_cast<std::size_t>(c)],
-                  at);
+        result.at(x - shown.min_x, y - shown.min_y)[c] = value(
+            header, image, layer.channels[static_cast<std::size_t>(c)], at);
       }
     }
   }

@@ -65,8 +65,8 @@ std::string ExrParts::read(const std::string& bytes) {
     if (!header) return "there is not enough memory for it";
     InitEXRHeader(header);
     headers_.push_back(header);
-    result = ParseEXRHeaderFromMemory(header, &version, data, bytes.size(),
-                                      &why);
+    result =
+        ParseEXRHeaderFromMemory(header, &version, data, bytes.size(), &why);
   }
   if (result != TINYEXR_SUCCESS) return said(why);
   return headers_.empty() ? "it has no parts" : check_chunks(bytes);
@@ -96,16 +96,13 @@ std::string ExrParts::check_chunks(std::string_view bytes) const {
     const std::uint64_t start = multipart_ ? 4 : 0;
     for (std::int64_t i = 0; i < chunks; ++i, table += 8) {
       if (table + 8 > bytes.size()) return "it is cut off";
-      const std::uint64_t at = std::uint64_t{number_at(bytes, table, 4, false)} |
-                               std::uint64_t{number_at(bytes, table + 4, 4,
-                                                       false)}
-                                   << 32;
-      if (at == 0 || at > bytes.size() ||
-          bytes.size() - at <= start + 8) {
+      const std::uint64_t at =
+          std::uint64_t{number_at(bytes, table, 4, false)} |
+          std::uint64_t{number_at(bytes, table + 4, 4, false)} << 32;
+      if (at == 0 || at > bytes.size() || bytes.size() - at <= start + 8) {
         return "it is cut off: rows of it are not there";
       }
-      const std::uint32_t size =
-          number_at(bytes, at + start + 4, 4, false);
+      const std::uint32_t size = number_at(bytes, at + start + 4, 4, false);
       if (size == 0 || size > bytes.size() - at - start - 8) {
         return "it is cut off: rows of it are not whole";
       }
@@ -141,13 +138,12 @@ std::string ExrParts::read_pixels(const std::string& bytes) {
   std::vector<const EXRHeader*> constant(headers_.begin(), headers_.end());
   const char* why = nullptr;
   const int result =
-      multipart_
-          ? LoadEXRMultipartImageFromMemory(
-                images_.data(), constant.data(),
-                static_cast<unsigned>(constant.size()), data_of(bytes),
-                bytes.size(), &why)
-          : LoadEXRImageFromMemory(images_.data(), headers_[0],
-                                   data_of(bytes), bytes.size(), &why);
+      multipart_ ? LoadEXRMultipartImageFromMemory(
+                       images_.data(), constant.data(),
+                       static_cast<unsigned>(constant.size()), data_of(bytes),
+                       bytes.size(), &why)
+                 : LoadEXRImageFromMemory(images_.data(), headers_[0],
+                                          data_of(bytes), bytes.size(), &why);
   if (result == TINYEXR_SUCCESS) return "";
   if (!multipart_) InitEXRImage(images_.data());  // it was released
   return said(why);

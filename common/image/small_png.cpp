@@ -9,8 +9,11 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "common/image/file_bytes.hpp"
+#include "common/image/file_path.hpp"
 #include "common/image/orientation.hpp"
 #include "common/image/picture_file.hpp"
 #include "common/image/small_images.hpp"

@@ -20,7 +20,8 @@ inline Texture load_texture(const std::string& folder,
     throw ImageError("its name has a NUL character");
   }
   std::error_code error;
-  const fs::path root = fs::weakly_canonical(file_path(folder.empty() ? "." : folder));
+  const fs::path root =
+      fs::weakly_canonical(file_path(folder.empty() ? "." : folder));
   const fs::path file = fs::weakly_canonical(root / file_path(path), error);
   const fs::path inside = file.lexically_relative(root);
   if (file_path(path).is_absolute() || inside.empty() ||

@@ -1,6 +1,7 @@
 #pragma once
 
-// Windows' header, without its macros that are words of ours. Empty elsewhere.
+// Windows' header, without its macros that are words of ours. Elsewhere it
+// is empty.
 
 #ifdef _WIN32
 #ifndef WIN32_LEAN_AND_MEAN

@@ -32,9 +32,8 @@ class UnfinishedFile {
     // Known before it exists: a signal may come at once.
     unfinished_file = name_.c_str();
     // Never what is there already.
-    file_ = CreateFileW(file_path(name_).c_str(), GENERIC_WRITE,
-                        0, nullptr, CREATE_NEW, FILE_ATTRIBUTE_NORMAL,
-                        nullptr);
+    file_ = CreateFileW(file_path(name_).c_str(), GENERIC_WRITE, 0, nullptr,
+                        CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr);
     if (file_ != INVALID_HANDLE_VALUE) return;
     unfinished_file = nullptr;
     throw_windows_error();
@@ -86,8 +85,7 @@ class UnfinishedFile {
 /// Throws an ImageError where no file can be, or none that may be replaced.
 inline void check_file_place(const std::string& path) {
   check_folder_of(path);
-  const DWORD attributes =
-      GetFileAttributesW(file_path(path).c_str());
+  const DWORD attributes = GetFileAttributesW(file_path(path).c_str());
   if (attributes == INVALID_FILE_ATTRIBUTES) return;
   if (attributes & FILE_ATTRIBUTE_DIRECTORY) {
     throw ImageError("it is a folder");

@@ -162,8 +162,7 @@ inline LoadedScene parse_scene(std::string_view text, const std::string& path,
             "this is not TOML: " + std::string(error.description()));
   }
   LoadedScene loaded =
-      SceneReader(syllabus,
-                  name_of(file_path(path).parent_path()))
+      SceneReader(syllabus, name_of(file_path(path).parent_path()))
           .read(root);
   loaded.sha256 = sha256(text);
   for (const auto& warning :

@@ -20,11 +20,16 @@ namespace {
 const ImageCodecs& loaded(const char* file) {
   std::string error;
   GetImageCodecs* const get = load_image_codecs(file, error);
-  REQUIRE_MESSAGE(get != nullptr, error);
+  const bool found = get != nullptr;
+  REQUIRE_MESSAGE(found, error);
   return *get();
 }
-const ImageCodecs& large() { return loaded(LARGE_LIBRARY); }
-const ImageCodecs& small() { return loaded(SMALL_LIBRARY); }
+const ImageCodecs& large() {
+  return loaded(LARGE_LIBRARY);
+}
+const ImageCodecs& small() {
+  return loaded(SMALL_LIBRARY);
+}
 
 /// All files below a folder that end so, in an order of their own.
 std::vector<std::string> files(const std::string& folder,
@@ -77,9 +82,9 @@ double largest_difference(const Image& a, const Image& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     for (int c = 0; c < 3; ++c) {
-      largest = std::max(
-          largest, std::abs(static_cast<double>(a.pixels[i][c]) -
-                            static_cast<double>(b.pixels[i][c])));
+      largest =
+          std::max(largest, std::abs(static_cast<double>(a.pixels[i][c]) -
+                                     static_cast<double>(b.pixels[i][c])));
     }
   }
   return largest;
@@ -160,6 +165,7 @@ TEST_CASE("PNG files of other programs are the same to both libraries") {
     REQUIRE(large().read_texture(path, a) == "");
     REQUIRE(small().read_texture(path, b) == "");
     CHECK(a.width == b.width);
-    CHECK(a.texels == b.texels);
+    const bool same_texels = a.texels == b.texels;
+    CHECK(same_texels);
   }
 }

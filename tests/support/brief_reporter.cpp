@@ -106,9 +106,8 @@ class BriefReporter : public doctest::IReporter {
     const std::string line = as_line(fields);
     std::size_t written = 0;
     while (written < line.size()) {
-      const auto count =
-          write(pipe_, line.data() + written,
-                static_cast<unsigned>(line.size() - written));
+      const auto count = write(pipe_, line.data() + written,
+                               static_cast<unsigned>(line.size() - written));
       if (count <= 0) break;
       written += static_cast<std::size_t>(count);
     }

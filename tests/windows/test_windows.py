@@ -130,8 +130,7 @@ class Windows(unittest.TestCase):
         done = self.run_windows("stage1", scene, "-o", "nowhere/a.png")
         self.assertEqual(done.returncode, 1)
         self.assertEqual(
-            done.stderr,
-            "stage1: nowhere/a.png cannot be written: there is no folder 'nowhere'\n",
+            done.stderr, "stage1: nowhere/a.png cannot be written: there is no folder 'nowhere'\n"
         )
 
     def test_the_suites_pass(self):
