@@ -30,7 +30,8 @@ target_include_directories(test_support PUBLIC ${quiet_folder}
                                                ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(test_support PUBLIC
                            SCENES="${CMAKE_SOURCE_DIR}/scenes"
-                           GOLDENS="${CMAKE_CURRENT_SOURCE_DIR}/golden")
+                           GOLDENS="${CMAKE_CURRENT_SOURCE_DIR}/golden"
+                           $<$<CXX_COMPILER_ID:GNU>:_GLIBCXX_ASSERTIONS>)
 if(NOT MSVC)
   target_compile_options(test_support PRIVATE $<$<CONFIG:Release>:-O1>)
 endif()

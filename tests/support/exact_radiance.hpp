@@ -111,8 +111,8 @@ void check_radiance(const std::string& what, const Scene& scene,
        std::string(settings.sampling == Sampling::uniform ? "uniform"
                                                           : "cosine"),
        " sampling");
-  INFO("samples that are infinite or not a number: ", pixel.dropped);
-  CHECK(pixel.dropped == 0);
+  CHECK_MESSAGE(pixel.dropped == 0, pixel.dropped,
+                " samples are infinite or not a number");
   const std::string wrong = wrong_mean(pixel, expected);
   if (!wrong.empty()) FAIL_CHECK(wrong);
   if (!wrong.empty() || variance == 0) return;

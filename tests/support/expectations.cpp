@@ -81,7 +81,7 @@ std::string factor_in_words(double ratio, double uncertainty) {
     std::vector<NamedValue> values = usual_factors();
     for (const NamedValue& one :
          {NamedValue{3, "3"}, NamedValue{1.0 / 3, "1/3"},
-          NamedValue{1.5, "1.5 (eta)"}, NamedValue{1 / 1.5, "1/1.5 (1/eta)"},
+          NamedValue{1.5, "1.5"}, NamedValue{1 / 1.5, "1/1.5"},
           NamedValue{2.25, "2.25 (eta^2)"},
           NamedValue{1 / 2.25, "1/2.25 (1/eta^2)"},
           NamedValue{5.0625, "5.0625 (eta^4)"},

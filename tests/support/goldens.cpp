@@ -165,8 +165,7 @@ std::string explain(int stage, const Golden& golden,
                     const Comparison& comparison, const Painter& paint) {
   const Bands bands;
   const Image& image = golden.image.radiance;
-  std::string text =
-      "golden image " + golden.name + " of " + stage_name(stage) + ": " +
+  const std::string where =
       describe(comparison.again, comparison.confirmed, bands, image.width,
                image.height, [&](const Region& region) {
                  return seen_in(golden.loaded, region);
@@ -177,13 +176,17 @@ std::string explain(int stage, const Golden& golden,
   const std::string wrong = right.empty() ? "" : wrong_parts(verdicts);
   write_signature(stage, golden, comparison, wrong);
   right.push_back(part_of(golden.image, "all"));
+  // The cause comes before the places where it shows.
+  std::string text =
+      "golden image " + golden.name + " of " + stage_name(stage) + ":";
   for (const std::string& one :
        {tell_parts(verdicts, right, view_of(golden)),
         known_in_words(
             stage, known_mistakes(
                        comparison.test, golden.image, wrong,
                        load_signatures(std::string(folder) + "/signatures",
-                                       stage, golden.name)))}) {
+                                       stage, golden.name))),
+        where}) {
     if (!one.empty()) text += "\n" + one;
   }
   const std::filesystem::path report = "golden_failures";

@@ -116,7 +116,7 @@ class Report {
   }
 
  private:
-  static constexpr int first_lines = 9, golden_lines = 5, other_lines = 3;
+  static constexpr int first_lines = 9, golden_lines = 8, other_lines = 3;
   static constexpr std::size_t most_lines = 24, fewest_named = 3;
 
   static std::size_t lines_of(const std::string& text) {

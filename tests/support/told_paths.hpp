@@ -39,7 +39,7 @@ material = "wall"
   std::size_t longest = 0;
   // kd + kd^2 + ... + kd^5, of red.
   EachOrMean seen(0.8 * (1 - std::pow(0.8, 5)) / 0.2, 1e-5);
-  for (std::uint64_t sample = 0; sample < 50; ++sample) {
+  for (std::uint64_t sample = 0; sample < 1000; ++sample) {
     PathLog log;
     Random random(1, 0, sample);
     const PathListener listener(log);

@@ -1,6 +1,6 @@
 """Which exercise does `make check` name for each known mistake?
 
-    python3 -m tests.mistakes.exercises [--stage N] [-j JOBS]
+    python3 -m tools.exercises.mistakes [--stage N] [-j JOBS]
 
 Each mistake of the catalogue that lies in the body of an exercise is made, all
 else being solved, and the exercises are judged in the chapter's order, each by
