@@ -309,9 +309,9 @@ inline Vec3 image_color(const Texture& texture, const Vec2& uv,
 // This is why `is_odd` takes a `Vec3`. For squares the third number is 0.
 //
 // One trap is left. A floor at $y = -1$ lies just between two layers of
-// cubes. Rounding puts one hit above it and the next one below, and the floor
-// is full of spots. So `coefficient_at` reads the cube a little below the
-// surface.
+// cubes. Rounding moves some hits into the upper layer and some into the
+// lower one, which has the other color. So `coefficient_at` reads the cube a
+// little below the surface.
 //
 // ![](over-position)
 //
