@@ -22,17 +22,23 @@ if(TARGET OpenImageIO::OpenImageIO)
   list(APPEND image_libraries OpenImageIO::OpenImageIO)
 endif()
 
-# Headers, which a file of ours compiles; tinyexr wants zlib.
+# Headers, which a file of ours compiles; tinyexr wants zlib, or stb's.
 if(LIGHTWALK_SMALL_IMAGES)
   find_package(ZLIB QUIET)
   find_path(TINYEXR_FOLDER tinyexr.h HINTS ${LIGHTWALK_HEADER_FOLDER})
   find_path(STB_FOLDER stb_image_write.h PATH_SUFFIXES stb
             HINTS ${LIGHTWALK_HEADER_FOLDER})
 endif()
-if(ZLIB_FOUND AND TINYEXR_FOLDER AND STB_FOLDER)
+if(TINYEXR_FOLDER AND STB_FOLDER)
   add_library(small_image_libraries INTERFACE)
   target_include_directories(small_image_libraries SYSTEM
                              INTERFACE ${TINYEXR_FOLDER} ${STB_FOLDER})
-  target_link_libraries(small_image_libraries INTERFACE ZLIB::ZLIB)
+  if(ZLIB_FOUND)
+    target_link_libraries(small_image_libraries INTERFACE ZLIB::ZLIB)
+  else()
+    target_include_directories(
+      small_image_libraries SYSTEM BEFORE
+      INTERFACE ${CMAKE_SOURCE_DIR}/common/image/stb_zlib)
+  endif()
   list(APPEND image_libraries small_image_libraries)
 endif()

@@ -6,14 +6,6 @@
 #define NDEBUG
 #endif
 
-#include <zlib.h>
-
-#define TINYEXR_IMPLEMENTATION
-#define TINYEXR_USE_MINIZ 0
-#define TINYEXR_USE_PIZ 0
-#define TINYEXR_USE_THREAD 0
-#include <tinyexr.h>
-
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
@@ -23,3 +15,12 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
 #include <stb_image_write.h>
+
+// zlib, or where it is not installed what stands in for it: stb_zlib/.
+#include <zlib.h>
+
+#define TINYEXR_IMPLEMENTATION
+#define TINYEXR_USE_MINIZ 0
+#define TINYEXR_USE_PIZ 0
+#define TINYEXR_USE_THREAD 0
+#include <tinyexr.h>

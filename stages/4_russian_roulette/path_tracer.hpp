@@ -60,7 +60,7 @@ using stage3::sample;
 //
 // $$1 - (p_d + p_s + p_t)$$
 //
-// One random number $\xi_{RR}$, uniform in $[0, 1)$, falls somewhere on the
+// One uniform random number $\xi_{RR} \in [0, 1)$ falls somewhere on the
 // bar and picks the event there.
 //
 // ![](event-bar)
