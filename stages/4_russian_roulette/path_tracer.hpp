@@ -69,7 +69,7 @@ using stage3::sample;
 // of a lobe was its coefficient $k$ (stage 3). Now it is $k/p$, with the $p$
 // of this lobe. In the notation of the slides, the diffuse term is
 // $k_d\,\frac{1}{\pi} \cdot \frac{1}{p_d}$, and the specular term is
-// $k_s\,\frac{\delta_{\omega_r}(\omega_i)}{|n \cdot \omega_i|} \cdot
+// $k_s\,\frac{\delta_{\omega_r}(\omega_i)}{n \cdot \omega_i} \cdot
 // \frac{1}{p_s}$.
 //
 // ### Which probabilities?
