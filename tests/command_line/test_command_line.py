@@ -365,7 +365,8 @@ class WhatCannotBeWritten(Programs):
                 env=environment,
             )
             self.assert_one_line(
-                result, f"stage1: out.{ending} cannot be written: .{ending} needs the image library, which cannot be loaded: ..."
+                result,
+                f"stage1: out.{ending} cannot be written: .{ending} needs the image library, which cannot be loaded: ...",
             )
             self.assertEqual(self.files(), ["stage1"])
 

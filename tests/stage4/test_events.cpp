@@ -90,9 +90,10 @@ TEST_CASE("no lobe with a coefficient is left without a chance") {
 
 TEST_CASE("lobes of different colors each have a chance") {
   const Vec3 red(0.9f, 0, 0), green(0, 0.9f, 0), blue(0, 0, 0.9f);
-  const LobeProbabilities p = lobe_probabilities(material(red, green, blue), 0);
-  INFO("kd is red, ks green, kt blue, and their probabilities are ", p.diffuse,
-       ", ", p.specular, ", ", p.refraction);
+  const LobeProbabilities p =
+      lobe_probabilities(material(red, green, blue), 0);
+  INFO("kd is red, ks green, kt blue, and their probabilities are ",
+       p.diffuse, ", ", p.specular, ", ", p.refraction);
   CHECK(p.diffuse > 0);
   CHECK(p.specular > 0);
   CHECK(p.refraction > 0);

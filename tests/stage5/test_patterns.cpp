@@ -260,8 +260,10 @@ TEST_CASE("the poles of a map that is not square do not mix") {
     texture.height = height;
     const auto row = static_cast<std::size_t>(width);
     texture.texels.resize(row * static_cast<std::size_t>(height));
-    std::fill_n(texture.texels.begin(), row, decltype(texture.texels)::value_type{255, 0, 0});
-    std::fill_n(texture.texels.rbegin(), row, decltype(texture.texels)::value_type{0, 0, 255});
+    std::fill_n(texture.texels.begin(), row,
+                decltype(texture.texels)::value_type{255, 0, 0});
+    std::fill_n(texture.texels.rbegin(), row,
+                decltype(texture.texels)::value_type{0, 0, 255});
     CAPTURE(width);
     check_color(image_color(texture, {0.4f, 1}, true), {1, 0, 0});
     check_color(image_color(texture, {0.4f, 0}, true), {0, 0, 1});

@@ -165,11 +165,10 @@ std::string explain(int stage, const Golden& golden,
                     const Comparison& comparison, const Painter& paint) {
   const Bands bands;
   const Image& image = golden.image.radiance;
-  const std::string where =
-      describe(comparison.again, comparison.confirmed, bands, image.width,
-               image.height, [&](const Region& region) {
-                 return seen_in(golden.loaded, region);
-               });
+  const std::string where = describe(
+      comparison.again, comparison.confirmed, bands, image.width,
+      image.height,
+      [&](const Region& region) { return seen_in(golden.loaded, region); });
   std::vector<Part> right =
       load_parts(part_path(stage, golden.name), golden.loaded.sha256);
   const std::vector<PartVerdict> verdicts = judge_parts(golden, right, paint);

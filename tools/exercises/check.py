@@ -85,7 +85,12 @@ def run_suite(stage, tests=()):
     suite = BUILD / f"stage{stage}_check{suffix}"
     runner = BUILD / f"run_suite{suffix}"
     names = ",".join(test.replace(",", "?").replace("'", "?") + "*" for test in tests)
-    command = [*([runner] if runner.exists() else []), suite, "-r=brief", *([f"-tc={names}"] if tests else [])]
+    command = [
+        *([runner] if runner.exists() else []),
+        suite,
+        "-r=brief",
+        *([f"-tc={names}"] if tests else []),
+    ]
     try:
         done = subprocess.run(
             command,
@@ -133,11 +138,7 @@ def judge(stage, header):
 
 
 def list_of(judged):
-    states = {
-        "done": say("done"),
-        "open": say("open"),
-        "wrong": say("wrong"),
-    }
+    states = {"done": say("done"), "open": say("open"), "wrong": say("wrong")}
     for one in judged:
         state = states.get(one.state) or say("not run: needs {number}", number=one.needs)
         yield f"  {one.number:5}{one.title:44}{state}"
@@ -238,7 +239,10 @@ def watch(stage):
                 print("\033[2J\033[H" if sys.stdout.isatty() else "", end="", flush=True)
                 check(stage)
                 picture(stage)
-                print("\n" + say("Waiting for {file} to be saved; Ctrl-C ends.", file=header.relative_to(ROOT)), flush=True)
+                print(
+                    "\n" + say("Waiting for {file} to be saved; Ctrl-C ends.", file=header.relative_to(ROOT)),
+                    flush=True,
+                )
             time.sleep(0.3)
     except KeyboardInterrupt:
         print()

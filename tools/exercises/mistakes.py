@@ -71,9 +71,16 @@ def main():
     parser.add_argument("--stage", type=int)
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
-    stages = [options.stage] if options.stage else [int(path.stem[-1]) for path in sorted(catalogue.CATALOGUE.glob("stage?.toml"))]
+    stages = (
+        [options.stage]
+        if options.stage
+        else [int(path.stem[-1]) for path in sorted(catalogue.CATALOGUE.glob("stage?.toml"))]
+    )
     rows = [row for stage in stages for row in judged(stage, options.jobs)]
-    lines = ["| stage | mistakes in exercises | named there | in another exercise | not found |", "|---|---|---|---|---|"]
+    lines = [
+        "| stage | mistakes in exercises | named there | in another exercise | not found |",
+        "|---|---|---|---|---|",
+    ]
     for stage in stages:
         mine = [row for row in rows if row[0].stage == stage]
         there = sum(number == named for _, number, named in mine)

@@ -116,11 +116,15 @@ def readme(header):
     first = exercises(header)[0]
     title = next(line for line in header.read_text().splitlines() if line.startswith("// # "))
     scenes = {1: "scenes/cornell_box_ceiling_diffuse.toml", 2: "scenes/cornell_box_point_diffuse.toml"}
-    return (OVERLAY / "README.md").read_text().format(
-        stage=stage_of(header),
-        title=title.split(": ", 1)[1],
-        header=header.relative_to(ROOT).as_posix(),
-        folder=header.parent.name,
-        first=f"{first.number}: {first.title}",
-        scene=scenes.get(stage_of(header), "scenes/cornell_box_point.toml"),
+    return (
+        (OVERLAY / "README.md")
+        .read_text()
+        .format(
+            stage=stage_of(header),
+            title=title.split(": ", 1)[1],
+            header=header.relative_to(ROOT).as_posix(),
+            folder=header.parent.name,
+            first=f"{first.number}: {first.title}",
+            scene=scenes.get(stage_of(header), "scenes/cornell_box_point.toml"),
+        )
     )

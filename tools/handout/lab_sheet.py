@@ -27,7 +27,9 @@ def lab_sheet(header):
     lines += ["| | exercise | where | time | points |", "|---|---|---|---|---|"]
     for task in tasks:
         mark = task.mark
-        lines.append(f"| {mark.number} | {mark.title} | `{mark.region}` | {hours(task.minutes)} | {task.points} |")
+        lines.append(
+            f"| {mark.number} | {mark.title} | `{mark.region}` | {hours(task.minutes)} | {task.points} |"
+        )
     total, points = sum(task.minutes for task in tasks), sum(task.points for task in tasks)
     lines += [f"| | all | | {hours(total)} | {points} |", ""]
     for task in tasks:

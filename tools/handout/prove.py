@@ -106,7 +106,9 @@ class Student:
             options = ["-DCMAKE_BUILD_TYPE=Release", "-DLIGHTWALK_WARNINGS_AS_ERRORS=ON"]
             self.made("cmake", "cmake", "-S", ".", "-B", self.build, *ninja, *options)
         jobs = str(os.cpu_count() or 2)
-        self.made(f"build of {', '.join(targets)}", "cmake", "--build", self.build, "-j", jobs, "--target", *targets)
+        self.made(
+            f"build of {', '.join(targets)}", "cmake", "--build", self.build, "-j", jobs, "--target", *targets
+        )
 
     def header(self, stage):
         return next(self.folder.glob(f"stages/{stage}_*/path_tracer.hpp"))
@@ -165,7 +167,9 @@ def prove(student, header, count):
             for other in solved:
                 ready = all(need in solved for need in tasks[other].needs if need in bodies)
                 if ready and not student.passes(stage, tasks[other].tests):
-                    raise Failure(f"stage {stage}: {', '.join(solved)} are solved, and the tests of {other} fail")
+                    raise Failure(
+                        f"stage {stage}: {', '.join(solved)} are solved, and the tests of {other} fail"
+                    )
     done = student.run(sys.executable, "-m", "tools.exercises.check", stage)
     if done.returncode:
         raise Failure(f"stage {stage}: all is solved, and make check fails:\n{done.stdout}{done.stderr}")

@@ -35,8 +35,8 @@ inline void open_exercise(
       std::string_view file = place.file_name();
       const std::size_t folder = file.rfind("stages");
       if (folder != file.npos) file.remove_prefix(folder);
-      std::fprintf(stderr, "exercise %s (%s) is still open: %.*s:%u\n", number,
-                   title, static_cast<int>(file.size()), file.data(),
+      std::fprintf(stderr, "exercise %s (%s) is still open: %.*s:%u\n",
+                   number, title, static_cast<int>(file.size()), file.data(),
                    static_cast<unsigned>(place.line()));
       return;
     }
