@@ -104,8 +104,7 @@ using stage2::is_counted;
 // on through the mirror.
 
 // #region reflect
-/// `wo` mirrored at the normal; both point away from the surface.
-/// The mirror image of a unit vector is a unit vector.
+/// `wo` mirrored at the normal: both unit vectors, away from the surface.
 inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
   // #region exercise 3.1: mirror direction
   // #stub return normal;
