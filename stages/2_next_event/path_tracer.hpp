@@ -112,8 +112,10 @@ inline constexpr float distance_rounding = 0x1p-18f;
 //
 // $$\text{weight} = \frac{I}{d^2}$$
 //
-// There is one direction only, so nothing is random. The slides call $I$ the
-// light's power $p$, but they use it in just this way. So there is no $4\pi$.
+// There is one direction only, so nothing is random. In the code $I$ is
+// `light.intensity`, and the light is at `light.center`. The slides call $I$
+// the light's power $p$, but they use it in just this way. So there is no
+// $4\pi$.
 //
 // ![](inverse-square)
 //

@@ -69,6 +69,27 @@ constexpr const char* wall =
 
 }  // namespace
 
+TEST_CASE("direct light is the sum over all lights, and 0 without any") {
+  const std::string other =
+      "[[lights]]\ntype = \"point\"\nintensity = [4, 0, 1]\n"
+      "center = [0, 1, 0]\n";
+  const Vec3 product(0.5f * 4, 0, 1.0f * 1);
+  const Vec3 above = asked("[0, 2, 0]");
+  check_color("two lights: the sum of what each brings",
+              asked("[0, 2, 0]", other), above + product / pi);
+  const Scene dark = scene_text(
+      "[materials]\nfloor = { kd = 0.5 }\n[[shapes]]\ntype = \"plane\"\n"
+      "normal = [0, 1, 0]\ndistance = 0\nmaterial = \"floor\"\n");
+  const Vec3 down(0, -1, 0);
+  const std::optional<Hit> hit = dark.nearest_hit({{0, 0.1f, 0}, down});
+  REQUIRE(hit.has_value());
+  Random random(3, 1, 4);
+  check_color(
+      "a scene without lights",
+      stage2::direct_light(dark, {*hit, *hit->material, -down}, random),
+      Vec3(0));
+}
+
 // At (0, 2, 0) the cosine is 1 and d^2 is 4; at (3, 4, 0) it is 4/5 and 25.
 TEST_CASE("direct light is kd/pi I cos/d^2 where the light is seen") {
   const Vec3 product(0.5f * 1, 0.25f * 2, 1.0f * 3);
