@@ -4,10 +4,11 @@
 # What people type is text: make must not run what a file's name says. It goes
 # to programs by the environment, and there in quotes.
 SEEDS ?= 200
+ORDERS ?= 2
 SECONDS ?= 60
 FUZZ_SECONDS := $(value SECONDS)# a shell may count its own SECONDS
 typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS FUZZ_SECONDS \
-  STAGE OUT INTO SOLUTIONS
+  STAGE OUT INTO SOLUTIONS ORDERS
 $(foreach name,$(typed),$(eval override $(name) := $$(value $(name))))
 export $(typed)
 
@@ -36,7 +37,7 @@ scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers mistakes goldens \
   signatures mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
-  format clean check watch hint handout handouts single-header \
+  format clean check watch hint handout handouts setup-handout single-header \
   test-single-header test-windows $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
@@ -115,13 +116,16 @@ check watch hint: setup $(BUILD)/CMakeCache.txt
 
 # STAGE=3 OUT=folder, or STAGE=4 INTO=folder. SOLUTIONS=none opens the
 # exercises of the stages before, too.
-handout: setup
+handout: setup-handout
 	@python3 -m tools.handout.handout "$$STAGE" $(if $(OUT),--out "$$OUT") \
 	  $(if $(INTO),--into "$$INTO") $(if $(SOLUTIONS),--solutions "$$SOLUTIONS")
 
-# Five to ten minutes.
-handouts: setup
-	@python3 -m tools.handout.prove
+# Five to ten minutes; ORDERS=1 puts the solutions in in the chapter's order only.
+handouts: setup-handout
+	@python3 -m tools.handout.prove --orders "$$ORDERS"
+
+setup-handout: setup
+	@tools/setup.sh handout
 
 # make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml OPTIONS="--spp 64": A and
 # B may be stages, images, or programs. Exit code 1 where they differ.

@@ -7,6 +7,7 @@
 #   setup.sh         what `make` and `make test` need
 #   setup.sh site    what the book needs besides
 #   setup.sh slides  what the slides and the browser tests need besides
+#   setup.sh handout what handouts bring along besides
 #   setup.sh bench   what comparing benchmarks needs besides
 #   setup.sh fuzz    what `make fuzz` needs besides
 #   setup.sh windows what `make test-windows` needs besides
@@ -30,6 +31,10 @@ if [ "${1:-}" = site ]; then
   command -v node >/dev/null || debian_packages="$debian_packages nodejs"
   command -v npm >/dev/null || debian_packages="$debian_packages npm"
   brew_packages="node python"
+elif [ "${1:-}" = handout ]; then
+  # What a handout brings along for students without OpenImageIO.
+  debian_packages="libtinyexr-dev libstb-dev"
+  brew_packages="stb"
 elif [ "${1:-}" = bench ]; then
   debian_packages="python3-venv libbenchmark-tools"
   brew_packages="google-benchmark python"
