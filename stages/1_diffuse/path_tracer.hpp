@@ -252,7 +252,8 @@ inline Vec3 evaluate(const Material& material) {
 // axis: $(\sin\theta\cos\phi, \sin\theta\sin\phi, \cos\theta)$. Then turn it.
 // `Basis(normal)` makes three perpendicular axes, the third of which is the
 // normal. Its `to_world(v)` takes the three coordinates along these axes, and
-// gives the vector in the room. `cos(phi)` and `sin(phi)` take radians.
+// gives the vector in the room. `cos(phi)` and `sin(phi)` take radians, and
+// the root is `std::sqrt`.
 
 // #region uniform-sampling
 /// A unit vector about `normal`, with density 1/(2 pi) per solid angle.
@@ -533,7 +534,8 @@ inline Vec3 emitted(const Surface& surface) {
 //   Draw new ones at each bounce.
 // - `log_vertex(surface, throughput, Vec3(0), bounce)` tells `--pixel` where
 //   the path is, and changes nothing. Call it once at each surface, before
-//   anything is decided.
+//   anything is decided. Its third value is the light that was added before,
+//   here none yet. The program tells weights and emission by itself.
 //
 // Count the bounces from 0, and compare with `max_bounces_` after the test
 // for a lamp. So a lamp that the last bounce leads to still counts.

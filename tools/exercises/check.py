@@ -169,6 +169,8 @@ def title_of(header):
 def check(stage):
     """Prints a screenful; True if all is well."""
     header = header_of(stage)
+    if not any(BUILD.glob(f"stage{stage}_check*")):
+        print(say("The tests are compiled for the first time: a minute or more.") + "\n", flush=True)
     said, made = build(f"stage{stage}_header")
     if not made:
         print(say("The stage does not compile yet. The first error:") + "\n\n" + first_words(said))

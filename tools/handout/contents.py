@@ -4,7 +4,7 @@ import re
 import tomllib
 from pathlib import Path
 
-from compare.stages import ROOT, Failure, stage_headers
+from compare.stages import BUILD, ROOT, Failure, stage_headers
 from tools.exercises.marks import exercises
 from tools.handout.lab_sheet import lab_sheet
 from tools.handout.opened import opened
@@ -27,8 +27,10 @@ COMMON = (
     ".gitignore",
     ".clang-format",
     "LICENSE",
+    "WORDS.md",
 )
 ANSWER = re.compile(r'^answer = (?:"""[\s\S]*?"""|"(?:[^"\\]|\\.)*")$', re.MULTILINE)
+REFERENCE = re.compile(r"^// !\[\]\(([\w-]+)\)$", re.MULTILINE)
 IMAGE = re.compile(r'image\s*=\s*"([^"]+)"')
 
 
@@ -101,6 +103,7 @@ def contents(stage, tracked, solutions):
             sheet = files.get(f"{folder}/exercises.toml", b"").decode()
             files[f"{folder}/exercises.toml"] = ANSWER.sub('answer = ""', sheet).encode()
             files[f"{folder}/README.md"] = lab_sheet(header).encode()
+            files |= figures_of(header, folder)
         else:
             # Their marks stay, their stubs go.
             numbers = [one.number for one in exercises(header)]
@@ -112,10 +115,21 @@ def contents(stage, tracked, solutions):
     return files
 
 
+def figures_of(header, folder):
+    """The pictures that the chapter places, as far as `make book` has made
+    them: {path: bytes}."""
+    found = {}
+    for name in REFERENCE.findall(header.read_text()):
+        for path in sorted((BUILD / "book-source/figures").glob(f"{name}*")):
+            if re.fullmatch(re.escape(name) + r"(-\d+)?\.(svg|png)", path.name):
+                found[f"{folder}/figures/{path.name}"] = path.read_bytes()
+    return found
+
+
 def readme(header):
     first = exercises(header)[0]
     title = next(line for line in header.read_text().splitlines() if line.startswith("// # "))
-    scenes = {1: "scenes/cornell_box_ceiling_diffuse.toml", 2: "scenes/cornell_box_point_diffuse.toml"}
+    scenes = {1: "scenes/cornell_box_ceiling_diffuse.toml", 2: "scenes/cornell_box_point_diffuse.toml", 5: "scenes/checkered_floor.toml"}
     return (
         (OVERLAY / "README.md")
         .read_text()
