@@ -129,7 +129,11 @@ def figures_of(header, folder):
 def readme(header):
     first = exercises(header)[0]
     title = next(line for line in header.read_text().splitlines() if line.startswith("// # "))
-    scenes = {1: "scenes/cornell_box_ceiling_diffuse.toml", 2: "scenes/cornell_box_point_diffuse.toml", 5: "scenes/checkered_floor.toml"}
+    scenes = {
+        1: "scenes/cornell_box_ceiling_diffuse.toml",
+        2: "scenes/cornell_box_point_diffuse.toml",
+        5: "scenes/checkered_floor.toml",
+    }
     return (
         (OVERLAY / "README.md")
         .read_text()
