@@ -43,15 +43,23 @@ struct PlanePack {
   }
 };
 
+/// The point of a plane below `x`, which is `height` lengths of `normal` off
+/// it. That length is 1 but for rounding: near the origin, where floats are
+/// fine, it must not be left to that.
+inline Vec3 point_below(const DoubleVec3& x, double height,
+                        const Vec3& normal) {
+  const DoubleVec3 n(normal);
+  return Vec3(x - height / dot(n, n) * n);
+}
+
 /// Completes a hit at `hit.position`, which rounding has put near the plane,
 /// and moves it back by `back` within the plane.
 inline void place_hit(const Plane& plane, const Vec3& back, Hit& hit) {
   hit.normal = plane.normal;
-  hit.position -= back;
+  const DoubleVec3 x(hit.position - back);
   const double height =
-      dot(DoubleVec3(plane.normal), DoubleVec3(hit.position)) +
-      static_cast<double>(plane.distance);
-  hit.position -= static_cast<float>(height) * plane.normal;
+      dot(DoubleVec3(plane.normal), x) + static_cast<double>(plane.distance);
+  hit.position = point_below(x, height, plane.normal);
   hit.diameter = 0;
 }
 

@@ -18,6 +18,7 @@
 // is parallel to the plane but for rounding meets it miles away.
 
 #include "common/geometry/lanes.hpp"
+#include "common/geometry/plane.hpp"
 #include "common/geometry/ray.hpp"
 
 namespace lightwalk {
@@ -107,11 +108,10 @@ struct FlatPack {
 /// and moves it back by `back` within the plane.
 inline void place_hit(const FlatShape& flat, const Vec3& back, Hit& hit) {
   hit.normal = flat.normal;
-  hit.position -= back;
-  const DoubleVec3 from_corner =
-      DoubleVec3(hit.position) - DoubleVec3(flat.corner);
-  const double height = dot(DoubleVec3(flat.normal), from_corner);
-  hit.position -= static_cast<float>(height) * flat.normal;
+  const DoubleVec3 x(hit.position - back);
+  const double height =
+      dot(DoubleVec3(flat.normal), x - DoubleVec3(flat.corner));
+  hit.position = point_below(x, height, flat.normal);
   hit.diameter = 0;
 }
 

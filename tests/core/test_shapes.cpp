@@ -78,6 +78,24 @@ TEST_CASE("a slanted plane puts its hits on itself") {
   }
 }
 
+TEST_CASE("a plane is hit on itself at the origin, where floats are fine") {
+  Random random(1, 0, 0);
+  int hits = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Plane plane{random_direction(random), 0, &material};
+    const Vec3 origin = random_position(random, 100);
+    const auto hit = meet(plane, origin, normalize(-origin));
+    if (!hit) continue;
+    ++hits;
+    const double off =
+        dot(DoubleVec3(plane.normal), DoubleVec3(hit->position));
+    INFO("normal " << text(plane.normal) << ", ray from " << text(origin)
+                   << ", hit at " << text(hit->position));
+    CHECK(std::abs(off) <= static_cast<double>(hit->rounding));
+  }
+  CHECK(hits > 900);
+}
+
 TEST_CASE("a sphere is hit on its near side from outside") {
   const Sphere ball{{1, 2, 3}, 2, &material};
   const auto hit = meet(ball, {1, 2, -7}, {0, 0, 1});
