@@ -170,8 +170,7 @@ inline Vec3 evaluate(const Material& material) {
 //
 // Random numbers need not be uniform. The *probability density* $p(x)$, or
 // *pdf*, says how often $x$ is drawn: a number between $x$ and $x + dx$ has
-// the probability $p(x)\,dx$. Then the estimator is (slide "Approximating one
-// integral")
+// the probability $p(x)\,dx$. Then the *Monte Carlo estimator* is
 //
 // $$\int_a^b f(x)\,dx \approx
 // \frac{1}{N} \sum_{i=1}^N \frac{f(x_i)}{p(x_i)}$$
@@ -194,8 +193,9 @@ inline Vec3 evaluate(const Material& material) {
 // $$\int_\Omega f(\omega)\,d\omega \approx
 // \frac{1}{N} \sum_{i=1}^N \frac{f(\omega_i)}{p(\omega_i)}$$
 //
-// A path uses $N = 1$ at each bounce: one random direction. The mean is taken
-// over the many paths of a pixel.
+// A path uses $N = 1$ at each bounce: one random direction (slide
+// "Approximating one integral"). The mean is taken over the many paths of a
+// pixel.
 //
 // ## Drawing a direction
 //
@@ -537,8 +537,9 @@ inline Vec3 emitted(const Surface& surface) {
 //   anything is decided. Its third value is the light that was added before,
 //   here none yet. The program tells weights and emission by itself.
 //
-// Count the bounces from 0, and compare with `max_bounces_` after the test
-// for a lamp. So a lamp that the last bounce leads to still counts.
+// Count the bounces from 0. After the test for a lamp the path ends if their
+// number *is* `max_bounces_`. So a lamp that the last bounce leads to still
+// counts, and with a bound of 0 there is no bounce at all.
 
 // #region path
 class PathTracer {

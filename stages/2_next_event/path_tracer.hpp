@@ -183,11 +183,12 @@ inline LightSample sample_light(const PointLight& light, const Vec3& x,
 //
 // ![](lamp-mistakes)
 //
-// What the code needs: `cross(edge_u, edge_v)` is perpendicular to the lamp,
-// and its length is the area $A$, also for a parallelogram. Divided by its
-// length it is $n'$. The direction $\omega$ leads *to* the lamp, so
-// $\cos\theta' = -n' \cdot \omega$. Behind the lamp this is negative. The
-// back is black, so use 0 there.
+// What the code needs: $L_e$ is `light.radiance`. The edges are
+// `light.edge_u` and `light.edge_v`. Their product `cross(edge_u, edge_v)` is
+// perpendicular to the lamp, and its length is the area $A$, also for a
+// parallelogram. Divided by its length it is $n'$. The direction $\omega$
+// leads *to* the lamp, so $\cos\theta' = -n' \cdot \omega$. Behind the lamp
+// this is negative. The back is black, so use 0 there.
 
 // #region rectangle-light
 inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
@@ -246,7 +247,9 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // as seen from $x$. Its half-angle is $\theta_{max}$. The same touching line
 // gives $\sin\theta_{max} = r/d$. All directions in the cone hit the lamp.
 //
-// For the rule, write the solid angle in angles, as in stage 1:
+// In the code the center is `light.center`, $r$ is `light.radius`, and $L_e$
+// is `light.radiance`. For the rule, write the solid angle in angles, as in
+// stage 1:
 //
 // $$d\omega = \sin\theta\,d\theta\,d\phi = d(1 - \cos\theta)\,d\phi$$
 //
@@ -271,8 +274,8 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 //
 // ![](lamp-cone)
 //
-// The code needs $\sin\theta$, too. Write $c = \cos\theta$. Then
-// $\sin^2\theta = 1 - c^2 = (1 - c)(1 + c)$, and $1 - c$ is known already.
+// The code needs $\sin\theta$, too. It follows from what is known already:
+// $\sin^2\theta = 1 - \cos^2\theta = (1 - \cos\theta)(1 + \cos\theta)$.
 // `Basis(axis)` takes a unit vector and makes a coordinate system with this
 // vector as its z axis. Its `to_world` turns
 // $(\sin\theta \cos\phi, \sin\theta \sin\phi, \cos\theta)$ into a direction
@@ -292,9 +295,9 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 //
 // The last aside about `float`. If the lamp is far away, $\cos\theta_{max}$
 // is rounded to 1. Then $1 - \cos\theta_{max}$ is 0, and the lamp goes out.
-// But $s = \sin^2\theta_{max} = r^2/d^2$ has all its digits. Divide
-// $(1 - c)(1 + c) = s$ by $1 + c$, where now
-// $c = \cos\theta_{max} = \sqrt{1 - s}$:
+// But $s = \sin^2\theta_{max} = r^2/d^2$ has all its digits. It is
+// $(1 - \cos\theta_{max})(1 + \cos\theta_{max})$, and the cosine is
+// $\sqrt{1 - s}$. Divide by the second factor:
 //
 // $$1 - \cos\theta_{max} = \frac{s}{1 + \sqrt{1 - s}}$$
 
@@ -343,9 +346,10 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 //
 // These parts of the core do the rest:
 //
+// - `scene.lights` is the list of lights, each a `Light`.
 // - `leave(hit, direction)` gives the point where a ray starts that leaves
-//   the surface in this direction. Look at the lights from there, with the
-//   normal as the direction.
+//   the surface in this direction. Look at all lights from one such point,
+//   `leave(surface.hit, surface.normal)`.
 // - `spawn_ray(hit, direction)` gives the ray that starts at this point.
 // - `scene.reaches(ray, distance, light)` is true if the ray meets nothing
 //   before `distance`, or only this light.

@@ -9,7 +9,8 @@
 //
 // Each way in which a material sends light on is called a *lobe*. Stage 1 had
 // one, the diffuse lobe. Now there are three: diffuse, *specular* (the
-// mirror), and *refraction* (the glass). Paint the left picture:
+// mirror), and *refraction* (the glass). At the end of the chapter your
+// program paints the left picture:
 //
 //     make stage3 && build/stage3 scenes/cornell_box_point.toml -o box.png
 //
@@ -144,7 +145,7 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 // $$\omega_t = -\frac{\eta_o}{\eta_i}\,(\omega_o - \cos\theta_o\,n)
 // - \cos\theta_i\,n, \qquad \cos\theta_i = \sqrt{1 - \sin^2\theta_i}$$
 //
-// This is a unit vector, but for rounding, so normalize it.
+// This is a unit vector, but for rounding, so `normalize(v)` it.
 //
 // ## Total internal reflection
 //
@@ -266,7 +267,7 @@ inline float relative_eta(const Surface& surface) {
 //     ...
 //     radiance of this sample = (0.06553, 0.05423, 0.05423)
 //
-// At vertex 0 the dot product of `wo` and the normal is 0.851, so
+// At vertex 0 the dot product of `wo` and the normal is 0.8506, so
 // $\sin\theta_o = 0.526$. Snell's law divides it by 1.5: 0.351. The refracted
 // direction has $\omega_t \cdot n = -0.937$, and $0.351^2 + 0.937^2 = 1$. The
 // weight is $0.9/2.25 = 0.4$. On the way out it is $0.9 \cdot 2.25 = 2.025$,
@@ -287,9 +288,13 @@ inline float relative_eta(const Surface& surface) {
 //
 // with $k_d + k_s + k_t \le 1$ in each channel.
 //
-// The slide's fourth coefficient $k_e$ is the emission $L_e(x, \omega_o)$.
-// Where $k_e > 0$ the other three are 0. `sample` finds a direction of one
-// lobe, and its weight.
+// The slide "Material coefficients" has a fourth, $k_e$: the emission
+// $L_e(x, \omega_o)$. Where $k_e > 0$ the other three are 0.
+//
+// `sample` finds a direction of one lobe, and its weight. It returns stage
+// 1's `BsdfSample`, made as `{wi, weight}`. The diffuse lobe is stage 1's own
+// `sample(surface, sampling, u)`, with two random numbers `u`. Both functions
+// have the same name, so here it is called as `stage1::sample`.
 
 // #region sample
 enum class Lobe { diffuse, specular, refraction };
@@ -395,7 +400,9 @@ inline constexpr int most_bounces = 64;
 // ## The path
 //
 // One turn of stage 2's loop is one call of `follow`. The steps are the same,
-// in the same order. A bounce at a mirror counts as a bounce.
+// in the same order. A bounce at a mirror counts as a bounce. The light of
+// all lights at a surface is stage 2's `direct_light(scene_, surface,
+// random)`.
 
 // #region path
 class PathTracer {

@@ -65,9 +65,10 @@ using stage3::sample;
 //
 // ![](event-bar)
 //
-// A path that goes on is divided by the probability of its event. The weight
-// of a lobe was its coefficient $k$ (stage 3). Now it is $k/p$, with the $p$
-// of this lobe. In the notation of the slides, the diffuse term is
+// A path that goes on is divided by the probability of its event. In stage 3
+// the weight of a lobe was its coefficient $k$. Now it is $k/p$, with the $p$
+// of this lobe. (Refraction keeps its factor $(\eta_o/\eta_i)^2$ besides.
+// Below we leave it out.) In the notation of the slides, the diffuse term is
 // $k_d\,\frac{1}{\pi} \cdot \frac{1}{p_d}$, and the specular term is
 // $k_s\,\frac{\delta_{\omega_r}(\omega_i)}{n \cdot \omega_i} \cdot
 // \frac{1}{p_s}$.
@@ -96,9 +97,9 @@ using stage3::sample;
 //
 // $$p_i = \max_{RGB} k_i$$
 //
-// Then the weight $k_i/p_i$ is 1 in this channel and at most 1 in the
-// others. So the roulette never makes the throughput grow. The next two
-// sections have the only exceptions.
+// Then $k_i/p_i$ is 1 in this channel and at most 1 in the others. So the
+// roulette never makes the throughput grow. The next two sections have the
+// only exceptions.
 //
 // The mean of the channels would be right, too. But a red wall with $k_d =
 // (0.8, 0.2, 0.2)$ would get $p_d = 0.4$, and the weight $0.8/0.4 = 2$ in
@@ -181,8 +182,8 @@ struct LobeProbabilities {
   float diffuse, specular, refraction;
 };
 
-/// The largest channel of each coefficient, scaled down where they add to
-/// more than a path's survival may be after `bounce` bounces.
+/// Of each lobe the largest channel of its coefficient. Where the three add
+/// to more than the limit of a path with `bounce` bounces, all are scaled.
 inline LobeProbabilities lobe_probabilities(const Material& material,
                                             int bounce) {
   // #region exercise 4.1: event probabilities
@@ -200,10 +201,11 @@ inline LobeProbabilities lobe_probabilities(const Material& material,
 
 // ## One number, one event
 //
-// Now pick the event: find the piece of the bar on which `xi` lies. The
-// result is the lobe together with *its own* probability, the length of its
-// piece. Where the light is absorbed, the result is `std::nullopt`, an empty
-// `std::optional`.
+// Now pick the event: find the piece of the bar on which `xi` lies. The order
+// is that of the figure: diffuse, specular, refraction, and the rest is
+// absorbed. The result is the lobe together with *its own* probability, the
+// length of its piece. Where the light is absorbed, the result is
+// `std::nullopt`, an empty `std::optional`.
 //
 // The comparison is `<`, not `<=`. So a lobe with probability 0 is never
 // picked, not even by `xi` = 0, and nothing is ever divided by 0.
@@ -320,8 +322,10 @@ inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
 //
 // Now write the end of the loop. Draw an event by `choose_lobe` with
 // `random.uniform()`, a new number in $[0, 1)$. If it is empty, return `sum`.
-// Else call stage 3's `sample` for the event's lobe: it returns a direction
-// `wi` and the weight. Multiply the throughput by the weight over the
+//
+// Else `sample(lobe, surface, sampling_, random)` of stage 3 gives a
+// direction of the event's lobe. It is a `BsdfSample`, with the direction
+// `wi` and its `weight`. Multiply the throughput by the weight over the
 // probability. The next ray is `spawn_ray(*hit, next.wi)`, which starts off
 // the surface. Set the flag last.
 
@@ -406,8 +410,8 @@ class PathTracer {
 // it needs 4 times as long as stage 4 for the same noise, and with eight 10
 // times. Each further bounce doubles its time.
 //
-// The last column is no noise, and more samples do not mend it. Six bounces
-// cut off 5 % of the light. Without a bound stage 4 has all of it.
+// The table's last column, the light that is cut, is no noise: more samples
+// do not mend it. Six bounces cut off 5 %. Without a bound stage 4 has all.
 //
 // ![](branch-or-draw)
 //

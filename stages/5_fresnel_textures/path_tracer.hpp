@@ -136,8 +136,10 @@ inline float fresnel_reflectance(float cos_o, float eta_ratio) {
 //   `coordinates` returns both for a position, and is given.
 // - A *plane* has no edges. There $v$ runs up: +y on a wall, +z on a floor or
 //   a ceiling. `plane_coordinates` takes from "up" what is along the normal.
-//   Then $u = n \times v$ runs to the right of somebody who stands in front
-//   of the wall. One image covers one unit.
+//   Then $u = n \times v$ runs to the right for who looks at the front of the
+//   wall. (It does so because the lab's axes are left-handed: in its picture
+//   x runs to the right, y up, and z away from the eye.) One image covers
+//   one unit.
 // - A *sphere* is a globe, with its poles up and down. The longitude gives
 //   $u$, and the middle of the image looks to -z, where the lab's camera
 //   stands. The latitude gives $v$, from the south pole to the north pole.
@@ -240,12 +242,17 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 // the north would shine through in the south. So if `has_poles`, take $v$ as
 // it is, and clamp $y$ to the range from 0 to height - 1.
 //
-// Write `image_color`. `texture.width` and `texture.height` are counted in
-// texels. Take the whole parts with `std::floor`, since a cast would round
-// -0.5 up to 0. `texel(texture, column, row)` is given. It returns the
-// decoded color, and repeats columns and rows by itself. `glm::mix(a, b,
-// weight)` is $a$ where the weight is 0, and $b$ where it is 1. You need it
-// three times.
+// Write `image_color`. The size of the image in texels is `texture.width` and
+// `texture.height`. Both are `int`: convert them once, as in
+// `static_cast<float>(texture.width)`. Take the whole parts with
+// `std::floor`, since a cast alone would round -0.5 up to 0. Then cast them
+// to `int`.
+//
+// `texel(texture, column, row)` is given. It returns the decoded color, and
+// repeats columns and rows by itself: one column beyond the last is the
+// first. (At a pole the row beyond the last has the weight 0.) `glm::mix(a,
+// b, weight)` is $a$ where the weight is 0, and $b$ where it is 1. You need
+// it three times.
 
 // #region image
 /// The texel's color, linear, 0 to 1. Columns and rows repeat.
@@ -390,7 +397,8 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
 // not null, `coefficient_at` says what `kd` is at this hit. The same holds
 // for `ks` and `kt`.
 //
-// With `fresnel = true` the light is shared out: $k_s$ becomes $F k_s$, and
+// With `fresnel = true` in the scene file, `fresnel` in the material is true,
+// and the light is shared out: $k_s$ becomes $F k_s$, and
 // $k_t$ becomes $(1 - F)\,k_t$. What is reflected is missing in what goes
 // through. So ideal glass has $k_s = k_t = 1$, and loses nothing. The diffuse
 // $k_d$ stays as it is.

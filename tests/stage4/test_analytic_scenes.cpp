@@ -140,6 +140,9 @@ TEST_CASE("each lobe keeps its color, whichever event is drawn") {
   const Pixel pixel =
       estimate(PathTracer(scene, settings), {{0, 0, -5}, {0, 0, 1}}, 100'000);
   const double truth[] = {0.9, 0.9, 0.1};
+  INFO(
+      "kd = (0.8, 0, 0.1), ks = (0.1, 0.9, 0): each event's light is divided "
+      "by the probability of the event that was drawn, and of no other");
   for (int c = 0; c < 3; ++c) {
     check_mean(
         "kd + ks of plastic in a white room, channel " + std::to_string(c),

@@ -115,15 +115,26 @@ def contents(stage, tracked, solutions):
     return files
 
 
+def pictures_of(name):
+    """The files of a figure, as far as `make book` has drawn them."""
+    for path in sorted((BUILD / "book-source/figures").glob(f"{name}*")):
+        if re.fullmatch(re.escape(name) + r"(-\d+)?\.(svg|png)", path.name):
+            yield path
+
+
 def figures_of(header, folder):
-    """The pictures that the chapter places, as far as `make book` has made
-    them: {path: bytes}."""
+    """The pictures that the chapter places: {path: bytes}."""
     found = {}
     for name in REFERENCE.findall(header.read_text()):
-        for path in sorted((BUILD / "book-source/figures").glob(f"{name}*")):
-            if re.fullmatch(re.escape(name) + r"(-\d+)?\.(svg|png)", path.name):
-                found[f"{folder}/figures/{path.name}"] = path.read_bytes()
+        for path in pictures_of(name):
+            found[f"{folder}/figures/{path.name}"] = path.read_bytes()
     return found
+
+
+def missing_figures(stage):
+    """Names of the chapter's figures that are not drawn yet."""
+    header = next(header for header in stage_headers() if stage_of(header) == stage)
+    return [name for name in REFERENCE.findall(header.read_text()) if not any(pictures_of(name))]
 
 
 def readme(header):

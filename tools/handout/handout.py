@@ -22,7 +22,7 @@ import tempfile
 from pathlib import Path
 
 from compare.stages import ROOT, Failure
-from tools.handout.contents import contents
+from tools.handout.contents import contents, missing_figures
 from tools.handout.third_party import copy_libraries
 
 NOTE = "handout.json"
@@ -66,6 +66,15 @@ def note(stage, files):
     return json.dumps({"stage": stage, "files": sums}, indent=1) + "\n"
 
 
+def tell_missing_figures(stage):
+    missing = missing_figures(stage)
+    if missing:
+        print(
+            f"  without {len(missing)} of the chapter's figures, such as {missing[0]!r}: "
+            "`make book` draws them, and handouts that are made after it bring them along"
+        )
+
+
 def make_new(stage, solutions, folder):
     """Writes beside the folder first, so that there is all of it or nothing."""
     if folder.exists() and any(folder.iterdir()):
@@ -90,6 +99,7 @@ def make_new(stage, solutions, folder):
         raise
     size = sum(map(len, files.values()))
     print(f"{folder}: stage {stage}, {len(files)} files, {size / 1e6:.1f} MB")
+    tell_missing_figures(stage)
 
 
 def add_to(stage, folder):
@@ -121,6 +131,7 @@ def add_to(stage, folder):
     print(f"{folder}: stage {stage} is in, {news} files new or newer. `git add -A && git commit` keeps them.")
     for path in kept:
         print(f"  {path} was changed there, and is as it was")
+    tell_missing_figures(stage)
 
 
 def main():
