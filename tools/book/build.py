@@ -14,10 +14,13 @@ from pathlib import Path
 
 from compare import stages
 from compare.stages import BUILD, ROOT, Failure, stage_headers
+from tools.book.definitions import link_definitions
 from tools.book.figures import PlacedFigures
 from tools.book.measurements import measurements_page
 from tools.book.mistakes import mistakes_page
 from tools.book.page import weave
+from tools.book.sections import write_sections
+from tools.book.set_formulas import set_formulas
 from tools.book.symbols import symbols_page
 from tools.weave.formulas import check_formulas, formulas, formulas_of_header
 from tools.weave.names import check_names, check_text
@@ -27,6 +30,9 @@ from tools.weave.transcripts import check_transcripts
 
 HERE = Path(__file__).parent
 PAGES = HERE / "pages"
+STATIC = ("book.css", "keys.js", "contents.js", "viewer.js", "search.js")
+FONTS = ("source-serif-4", "jetbrains-mono")
+SIDEBAR_FROM = 97  # em of 16 px
 
 
 def core_headers():
@@ -110,15 +116,44 @@ def run_sphinx(source):
         raise Failure((lines or [text.strip()])[0].replace(f"{BUILD}/", ""))
 
 
+def copy_fonts(static):
+    """The fonts' files, and the styles that name them."""
+    for name in FONTS:
+        package = BUILD / "node/node_modules/@fontsource-variable" / name
+        target = static / "fonts" / name
+        (target / "files").mkdir(parents=True)
+        shutil.copy(package / "LICENSE", target)
+        for style in ("wght.css", "wght-italic.css"):
+            shutil.copy(package / style, target)
+            for file in re.findall(r"url\(\./files/([\w.-]+)\)", (package / style).read_text()):
+                shutil.copy(package / "files" / file, target / "files")
+
+
+def finish(book):
+    """What is done to the pages that Sphinx has made."""
+    write_sections(book)
+    pages = [(header, f"stages/{header.parent.name}") for header in stage_headers()]
+    pages += [(header, core_page(header)) for header in core_headers()]
+    link_definitions(book, pages)
+    set_formulas(book)
+    # The menu instead of the sidebar as long as there is no room for two
+    # columns beside it.
+    style = book / "_static/styles/furo.css"
+    style.write_text(style.read_text().replace("max-width:63em", f"max-width:{SIDEBAR_FROM}em"))
+    for unused in ("searchindex.js", "_static/searchtools.js", "_static/language_data.js"):
+        (book / unused).unlink(missing_ok=True)
+
+
 def main():
     source, static = BUILD / "book-source", BUILD / "book-static"
     for folder in (source, static):
         shutil.rmtree(folder, ignore_errors=True)
-    (static / "mathjax").mkdir(parents=True)
-    shutil.copy(BUILD / "node/node_modules/mathjax-full/es5/tex-svg-full.js",
-                static / "mathjax")
-    for name in ("book.css", "keys.js"):
+    static.mkdir(parents=True)
+    (static / "formulas.css").touch()
+    for name in STATIC:
         shutil.copy(HERE / name, static)
+    shutil.copy(BUILD / "node/node_modules/minisearch/dist/umd/index.js", static / "minisearch.js")
+    copy_fonts(static)
     figures = PlacedFigures(source / "figures")
     write_source(source, figures)
     check_every_formula(figures)
@@ -128,6 +163,7 @@ def main():
         return
     os.environ["BOOK_STATIC"] = str(static)
     run_sphinx(source)
+    finish(BUILD / "book")
     check_offline(BUILD / "book")
     print(f"The book is {BUILD}/book/index.html")
 
