@@ -156,8 +156,9 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 //
 // ![](snell)
 // So the path cannot leave. It goes on in the mirror direction and stays in
-// the glass: *total internal reflection*. The angle is the *critical angle*.
-// Through the cone within it, an eye in the glass sees everything outside.
+// the glass: *total internal reflection*. These 41.8 degrees are the
+// *critical angle*. Through the cone within it, an eye in the glass sees
+// everything outside.
 //
 // ![](critical-cone)
 // A tracer that ends the path there paints black glass. A ball hides it: a
@@ -235,6 +236,10 @@ inline float relative_eta(const Surface& surface) {
 // are outside, the path goes in and out, and the factors cancel. The slides
 // leave the square out, and are right for this case. Total internal
 // reflection stays on one side, so its weight is $k_t$ without the square.
+//
+// One warning for later. The square belongs to *radiance*, which a path
+// carries from the light to the camera. A program that shoots power from the
+// lamps, as photon mapping does, must leave it out (Veach 1997, chapter 5).
 //
 // ![](total-reflection)
 //
@@ -345,10 +350,10 @@ inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
 //
 // ![](mirrored-lamps)
 // Two things look like bugs, but are not. Under a *point* light a glass ball
-// has a black shadow. The shadow ray goes straight, and the glass stops it.
-// The real light comes bent, gathered in a bright spot, a *caustic*. But a
-// path from the floor through the ball would have to hit a point. For the
-// same reason a mirror shows no image of a point light.
+// has a shadow, as if it were opaque. The shadow ray goes straight, and the
+// glass stops it. The real light comes bent, gathered in a bright spot, a
+// *caustic*. But a path from the floor through the ball would have to hit a
+// point. For the same reason a mirror shows no image of a point light.
 //
 // ![](glass-shadow)
 // Under a lamp with an area both are there. The caustic is noisy: a diffuse
@@ -392,10 +397,10 @@ inline constexpr int most_bounces = 64;
 // horizon gets no shadow ray.
 //
 // ![](tree-counts)
-// So the bound must be low. It is at most 64, `most_bounces`, whatever is
-// asked for: a tree with two lobes would not end. Mirrors alone have one ray
-// per bounce, and lose little: with $k_s = 0.9$ only $0.9^{64} = 0.0012$ of
-// the light is left.
+// So with two lobes the bound must be low, 8 or less. Mirrors alone have one
+// ray per bounce and no such trouble. For them the bound is 64,
+// `most_bounces`, whatever is asked for. It cuts off little: with $k_s = 0.9$
+// only $0.9^{64} = 0.0012$ of the light is still on its way.
 //
 // ## The path
 //

@@ -5,7 +5,8 @@ is not: `make check`.
 
 Exercises come in the order of the chapter, each judged by its own tests. The
 first that is open or wrong is explained, and no other; when all are done, the
-whole suite of the stage is run.
+whole suite of the stage is run. A test of it that tells of one exercise, the
+`later` of its sheet, is told as that exercise's.
 """
 
 import argparse
@@ -137,6 +138,17 @@ def judge(stage, header):
     return list(judged.values())
 
 
+def late_failure(stage, judged):
+    """The first exercise of which a test of the whole stage says that it is
+    wrong, or None."""
+    for one in judged:
+        if one.task.get("later"):
+            report, passed = run_suite(stage, one.task["later"])
+            if not passed:
+                return dataclasses.replace(one, state="wrong", says=explained(report))
+    return None
+
+
 def list_of(judged):
     states = {"done": say("done"), "open": say("open"), "wrong": say("wrong")}
     for one in judged:
@@ -193,6 +205,18 @@ def check(stage):
         print("\n".join(explain(first)))
         return False
     report, passed = run_suite(stage)
+    late = None if passed else late_failure(stage, judged)
+    if late:
+        remember(stage, late)
+        print(
+            say(
+                "Each exercise passes its own tests, but in the whole stage {number} is wrong:",
+                number=late.number,
+            )
+            + "\n"
+        )
+        print("\n".join(explain(late)))
+        return False
     if not passed:
         print(say("Each exercise passes its own tests, but the stage as a whole does not:") + "\n")
         print(explained(report))
