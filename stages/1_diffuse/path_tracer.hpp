@@ -53,7 +53,9 @@
 //
 // The equation holds for red, green and blue separately. So a radiance is a
 // `Vec3`, three numbers in the order RGB. The product of two `Vec3`
-// multiplies red by red, green by green and blue by blue.
+// multiplies red by red, green by green and blue by blue. A `float` times a
+// `Vec3` multiplies all three. (An `int` does not: write `2.0f`, or multiply
+// floats first.)
 //
 // ## The equation contains itself
 //
@@ -77,10 +79,10 @@
 //
 // ![](grid-or-path)
 //
-// Who makes the first ray? The core does (`common/scene/camera.hpp`). For
-// each sample it takes a random point in the pixel, and the ray from the
-// camera through that point. This chapter answers what radiance comes back
-// along it.
+// Who makes the first ray? The *core* does, the code in `common/` that is
+// given to you. The camera is in `common/scene/camera.hpp`. For each sample
+// it takes a random point in the pixel, and the ray from the camera through
+// that point. This chapter answers what radiance comes back along it.
 
 #include "common/math/basis.hpp"
 #include "common/math/random.hpp"
@@ -101,10 +103,10 @@ namespace lightwalk::stage1 {
 // 0.2, 0.2).
 //
 // Suppose the same radiance $L_i = 1$ arrives from every direction. A white
-// surface with $k_d = 1$ gives all power back, equally in all directions. So
-// it sends out radiance 1 in every direction, the same as arrives. With any
-// other albedo it sends out $k_d$. Put this into the equation. The constant
-// comes out of the integral:
+// surface with $k_d = 1$ gives all power back. The light leaves equally in
+// all directions, as it has arrived. So the ratio of the radiances is that of
+// the powers, and the surface sends out $k_d$. Put this into the equation.
+// The constant comes out of the integral:
 //
 // $$k_d = \int_\Omega 1 \cdot f_r \cos\theta\,d\omega
 // = f_r \int_\Omega \cos\theta\,d\omega = f_r\,\pi$$
@@ -256,8 +258,8 @@ inline Vec3 evaluate(const Material& material) {
 // axis: $(\sin\theta\cos\phi, \sin\theta\sin\phi, \cos\theta)$. Then turn it.
 // `Basis(normal)` makes three perpendicular axes, the third of which is the
 // normal. Its `to_world(v)` takes the three coordinates along these axes, and
-// gives the vector in the room. `cos(phi)` and `sin(phi)` take radians, and
-// the root is `std::sqrt`.
+// gives the vector in the room. `cos(phi)` and `sin(phi)` are the core's own
+// and take radians, and the root is `std::sqrt`.
 
 // #region uniform-sampling
 /// A unit vector about `normal`, with density 1/(2 pi) per solid angle.
@@ -282,11 +284,11 @@ inline float uniform_hemisphere_pdf() {
 // ### In proportion to the cosine
 //
 // The integrand has the factor $\cos\theta$. Directions near the horizon
-// count for little, but uniform sampling takes half of its directions where
-// the cosine is below 0.5. Importance sampling draws fewer of
-// them, with a density in proportion to the cosine. Since the cosine
-// integrates to $\pi$, this density is $p(\omega) = \cos\theta/\pi$. For the
-// angles it is
+// count for little. Uniform sampling takes half of its directions where the
+// cosine is below 0.5, and a quarter of the light comes from there.
+// Importance sampling draws fewer of them, with a density in proportion to
+// the cosine. Since the cosine integrates to $\pi$, this density is
+// $p(\omega) = \cos\theta/\pi$. For the angles it is
 //
 // $$\frac{\cos\theta}{\pi}\,\sin\theta
 // = 2\sin\theta\cos\theta \cdot \frac{1}{2\pi},$$
@@ -365,11 +367,11 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 //
 // ![](uniform-cosine)
 //
-// Try it with `--sampling uniform`, the option of the left picture. The
-// weight also shows what a uniform $\theta$ does. The mean of $\cos\theta$
-// should be 1/2, but over a uniform $\theta$ it is $2/\pi = 0.64$. The mean
-// weight is then not $k_d$ but $4 k_d/\pi = 1.27\,k_d$, at each bounce anew.
-// More samples do not help, because this is no noise.
+// When your program runs, try it with `--sampling uniform`, the option of the
+// left picture. The weight also shows what a uniform $\theta$ does. The mean
+// of $\cos\theta$ should be 1/2, but over a uniform $\theta$ it is $2/\pi =
+// 0.64$. The mean weight is then not $k_d$ but $4 k_d/\pi = 1.27\,k_d$, at
+// each bounce anew. More samples do not help, because this is no noise.
 //
 // ![](theta-uniform)
 //
@@ -454,9 +456,9 @@ inline Vec3 emitted(const Surface& surface) {
 //
 // Here is a path of the program, told by the options `--pixel` and
 // `--sample`. It meets the white floor, the red wall, and then the ceiling,
-// which is the lamp. The weights are (0.8, 0.8, 0.8) and (0.8, 0.2, 0.2).
-// Their product is what the path brings: light that has turned red at the
-// wall.
+// which is the lamp and emits (1, 1, 1). The weights are (0.8, 0.8, 0.8) and
+// (0.8, 0.2, 0.2). Their product is what the path brings: light that has
+// turned red at the wall.
 //
 // ![](followed-path)
 //
@@ -502,7 +504,8 @@ inline Vec3 emitted(const Surface& surface) {
 //
 // A *bounce* is one scattering at a surface. With `--max-bounces 0` the
 // picture shows the lamps alone, with 1 what they light directly. Each
-// further bounce adds light that was scattered once more.
+// further bounce adds light that was scattered once more. Where nothing else
+// is said, the bound is 8.
 //
 // The bound makes the picture too dark, because longer paths are missing.
 // Such an error is a *bias*, and more samples do not remove it. With

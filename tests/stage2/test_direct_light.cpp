@@ -87,9 +87,10 @@ material = "orange"
   const Pixel pixel = lit(scene, {{0, 0.1f, 0}, {0, -1, 0}}, 50'000);
   const double ball = 0.5 * 30 * (0.25 / 13) * (2 / std::sqrt(13.0));
   const double other = 0.5 * 7 * (1.0 / 18) * (3 / std::sqrt(18.0));
-  check_mean("red: kd L_e F of the first square and kd L_e (r/d)^2 cos of "
-             "the second ball",
-             pixel, 0, 0.5 * 4 * from_square(-3, 2, -0.5) + other);
+  check_mean(
+      "red: kd L_e F of the first square and kd L_e (r/d)^2 cos of "
+      "the second ball",
+      pixel, 0, 0.5 * 4 * from_square(-3, 2, -0.5) + other);
   check_mean("green: kd L_e F of the second square", pixel, 1,
              0.5 * 5 * from_square(2, 3, -0.5));
   check_mean("blue: kd L_e (r/d)^2 cos of the first ball", pixel, 2, ball);
@@ -109,13 +110,16 @@ TEST_CASE("direct light is not shaded by the surface that it falls on") {
   const Case cases[] = {
       {"a slanted wall",
        "type = \"plane\"\nnormal = [0.6, 0, 0.8]\ndistance = -2000\n",
-       {1202, 3, 1602}, {-0.6f, 0, -0.8f}},
+       {1202, 3, 1602},
+       {-0.6f, 0, -0.8f}},
       {"a ball",
        "type = \"sphere\"\ncenter = [1500, -700, 900]\nradius = 5\n",
-       {1500, -690, 900}, {0, -1, 0}},
+       {1500, -690, 900},
+       {0, -1, 0}},
       {"a ball from inside",
        "type = \"sphere\"\ncenter = [1500, -700, 900]\nradius = 5\n",
-       {1500, -700, 900}, {0, -1, 0}}};
+       {1500, -700, 900},
+       {0, -1, 0}}};
   for (const Case& one : cases) {
     std::ostringstream text;
     text << "[materials]\nwall = { kd = 0.5 }\n[[shapes]]\n"

@@ -6,7 +6,7 @@ is not: `make check`.
 Exercises come in the order of the chapter, each judged by its own tests. The
 first that is open or wrong is explained, and no other; when all are done, the
 whole suite of the stage is run. A test of it that tells of one exercise, the
-`later` of its sheet, is told as that exercise's.
+`later` of its sheet, is told as that exercise's, and any other as the last's.
 """
 
 import argparse
@@ -138,15 +138,15 @@ def judge(stage, header):
     return list(judged.values())
 
 
-def late_failure(stage, judged):
-    """The first exercise of which a test of the whole stage says that it is
-    wrong, or None."""
+def late_failure(stage, judged, whole):
+    """The exercise that a test of the whole stage tells of; where it is none
+    of theirs, the last one, which all paths go through."""
     for one in judged:
         if one.task.get("later"):
             report, passed = run_suite(stage, one.task["later"])
             if not passed:
                 return dataclasses.replace(one, state="wrong", says=explained(report))
-    return None
+    return dataclasses.replace(judged[-1], state="wrong", says=explained(whole))
 
 
 def list_of(judged):
@@ -205,8 +205,8 @@ def check(stage):
         print("\n".join(explain(first)))
         return False
     report, passed = run_suite(stage)
-    late = None if passed else late_failure(stage, judged)
-    if late:
+    if not passed:
+        late = late_failure(stage, judged, report)
         remember(stage, late)
         print(
             say(
@@ -216,10 +216,6 @@ def check(stage):
             + "\n"
         )
         print("\n".join(explain(late)))
-        return False
-    if not passed:
-        print(say("Each exercise passes its own tests, but the stage as a whole does not:") + "\n")
-        print(explained(report))
         return False
     print(report.strip() + "\n")
     print(say("Stage {stage} is done. `make` paints its picture.", stage=stage))
