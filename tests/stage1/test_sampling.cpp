@@ -85,6 +85,30 @@ TEST_CASE("the simplified weights are f cos / p") {
   }
 }
 
+// surface.hit.normal is the shape's own, and may point away from wo.
+TEST_CASE("directions go to the side that wo is on") {
+  const Material material;
+  Hit hit{};
+  hit.normal = normalize(Vec3(1, 2, -3));
+  Random random(8, 0, 0);
+  for (const float side : {1.0f, -1.0f}) {
+    const Surface surface(hit, material, side * hit.normal);
+    for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
+      int behind = 0;
+      for (int i = 0; i < 1000; ++i) {
+        const Vec2 u(random.uniform_2d());
+        behind += dot(sample(surface, sampling, u).wi, surface.wo) < 0;
+      }
+      INFO(behind, " of 1000 directions by ",
+           sampling == Sampling::uniform ? "uniform" : "cosine",
+           " sampling go behind the surface, as wo sees it, expected 0; the "
+           "shape's normal points ",
+           side > 0 ? "to" : "away from", " the side of wo");
+      CHECK(behind == 0);
+    }
+  }
+}
+
 // The mean weight is the share of light that the surface returns.
 TEST_CASE("the mean weight is the albedo kd") {
   Material material;

@@ -134,15 +134,20 @@ Hit hit_on(const Material& material) {
 }  // namespace
 
 TEST_CASE("eta is 1 outside, where the shape's normal points") {
-  Material glass;
-  glass.eta = 1.5f;
-  const Hit hit = hit_on(glass);
-  const Surface outside(hit, glass, at_angle(20));
-  const Surface inside(hit, glass, -at_angle(20));
-  check_value("eta_o/eta_i with wo outside glass of 1.5",
-              static_cast<double>(relative_eta(outside)), 1 / 1.5);
-  check_value("eta_o/eta_i with wo inside glass of 1.5",
-              static_cast<double>(relative_eta(inside)), 1.5);
+  for (const float eta : {1.5f, 1.25f, 2.0f}) {
+    Material glass;
+    glass.eta = eta;
+    const Hit hit = hit_on(glass);
+    const Surface outside(hit, glass, at_angle(20));
+    const Surface inside(hit, glass, -at_angle(20));
+    const std::string of = " glass of " + text_of(static_cast<double>(eta));
+    check_value("eta_o/eta_i with wo outside" + of,
+                static_cast<double>(relative_eta(outside)),
+                1 / static_cast<double>(eta));
+    check_value("eta_o/eta_i with wo inside" + of,
+                static_cast<double>(relative_eta(inside)),
+                static_cast<double>(eta));
+  }
 }
 
 TEST_CASE("the lobe of refraction bends wo about the normal on its side") {

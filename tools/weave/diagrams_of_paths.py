@@ -146,7 +146,7 @@ def branching():
         yield line(x, y, *end, COOL, 2.2)
         x, y = end
         yield circle(x, y, 3, COOL)
-    yield text(450, 288, "one by lot: 1, 1, 1, 1, 1")
+    yield text(450, 288, "one at random: 1, 1, 1, 1, 1")
 
 
 @diagram("pinhole", 600, 270)
