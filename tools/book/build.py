@@ -61,7 +61,7 @@ def write_source(source, figures):
             write(source / page.name, figures.filled(page).split("\n"))
     write(source / "symbols.md", symbols_page())
     write(source / "measurements.md", measurements_page(source))
-    mistakes = mistakes_page(source)
+    mistakes = mistakes_page(figures)
     if mistakes:
         write(source / "mistakes.md", mistakes)
     write(source / "index.md", front_page(figures, bool(mistakes)))
@@ -117,7 +117,7 @@ def main():
     (static / "mathjax").mkdir(parents=True)
     shutil.copy(BUILD / "node/node_modules/mathjax-full/es5/tex-svg-full.js",
                 static / "mathjax")
-    for name in ("book.css", "keys.js"):
+    for name in ("book.css", "keys.js", "gallery.css", "gallery.js"):
         shutil.copy(HERE / name, static)
     figures = PlacedFigures(source / "figures")
     write_source(source, figures)
