@@ -99,10 +99,10 @@ def row(entry, last, pictured):
     )
 
 
-def table(what, heads, rows):
+def table(what, heads, rows, kind=""):
     head = "".join(f'<th scope="col">{text}</th>' for text in heads)
     return raw(
-        f'<table class="docutils mistakes" aria-label="{what}">',
+        f'<table class="docutils mistakes{kind}" aria-label="{what}">',
         f"<thead><tr>{head}</tr></thead><tbody>",
         *rows,
         "</tbody></table>",
@@ -167,6 +167,7 @@ def mistakes_page(figures):
             "All known mistakes",
             ["Stage", "Mistake", "Test that catches it"],
             [row(entry, entry.test, entry.anchor in pictured) for entry in wrong],
+            " caught",
         ),
         "## Changes that are no mistakes",
         "",
