@@ -3,6 +3,7 @@ put into a copy of the sources, and the build must say it in one line."""
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,7 @@ import unittest
 from xml.etree import ElementTree
 
 from compare.stages import BUILD, ROOT, built_stages
+from tests.mistakes.mistakes import read_mistakes
 
 SOURCES = ["common", "compare", "scenes", "slides", "stages", "tests/mistakes", "tools"]
 SOURCES += [f"tests/{name.replace('_tests', '')}" for name in built_stages()]
@@ -347,6 +349,40 @@ class Mistaken(Copy):
         )
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual((self.root / "a.png").read_bytes(), (folder / "lamp-mistakes-2.png").read_bytes())
+
+
+class Gallery(Copy):
+    """The page of mistakes."""
+
+    GALLERY = "tools/book/gallery.toml"
+
+    def test_every_mistake_has_its_place(self):
+        self.assertEqual(self.run_tool("book.build", "--check").returncode, 0)
+        page = (self.build / "book-source/mistakes.md").read_text()
+        places = re.findall(r'\bid="([\w-]+)"', page) + re.findall(r"^\(([\w-]+)\)=$", page, re.M)
+        self.assertEqual(len(places), len(set(places)))
+        for path in sorted((ROOT / "tests/mistakes").glob("stage*.toml")):
+            for mistake in read_mistakes(path):
+                self.assertIn(mistake.name, places)
+                self.assertIn(f"stage{mistake.stage}-{mistake.name}", places)
+
+    def test_a_picture_of_a_mistake_that_nobody_knows(self):
+        self.change(self.GALLERY, 'name = "cosine-twice"', 'name = "cosine-thrice"')
+        self.assert_refused("book", "gallery.toml: stage 1 has no mistake called 'cosine-thrice'")
+
+    def test_a_picture_of_what_is_no_mistake(self):
+        self.change(self.GALLERY, 'name = "cosine-twice"', 'name = "acos-sqrt-xi"')
+        self.assert_refused("book", "gallery.toml: stage 1 has no mistake called 'acos-sqrt-xi'")
+
+    def test_a_variant_of_which_nobody_says_why_it_is_right(self):
+        self.change(self.GALLERY, "two-numbers-for-a-pair = ", "three-numbers = ")
+        self.assert_refused("book", "gallery.toml: 'three-numbers' is no variant that must pass")
+
+    def test_a_pair_of_unlike_exposures(self):
+        self.change(
+            self.GALLERY, "--max-bounces 2 --exposure -1.5", "--max-bounces 2 --tone-map equalize,gamma"
+        )
+        self.assert_refused("book", "equalize gives each panel an exposure of its own")
 
 
 class Drawings(Copy):

@@ -30,7 +30,7 @@ from tools.weave.transcripts import check_transcripts
 
 HERE = Path(__file__).parent
 PAGES = HERE / "pages"
-STATIC = ("book.css", "keys.js", "contents.js", "viewer.js", "search.js")
+STATIC = ("book.css", "keys.js", "contents.js", "viewer.js", "search.js", "gallery.css", "gallery.js")
 FONTS = ("source-serif-4", "jetbrains-mono")
 SIDEBAR_FROM = 97  # em of 16 px
 
@@ -67,7 +67,7 @@ def write_source(source, figures):
             write(source / page.name, figures.filled(page).split("\n"))
     write(source / "symbols.md", symbols_page())
     write(source / "measurements.md", measurements_page(source))
-    mistakes = mistakes_page(source)
+    mistakes = mistakes_page(figures)
     if mistakes:
         write(source / "mistakes.md", mistakes)
     write(source / "index.md", front_page(figures, bool(mistakes)))

@@ -17,9 +17,13 @@ language = "en"
 mathjax_path = "mathjax/none.js"
 html_static_path = [os.environ["BOOK_STATIC"]]
 templates_path = ["templates"]
-fonts = [f"fonts/{name}/{style}" for name in ("source-serif-4", "jetbrains-mono") for style in ("wght.css", "wght-italic.css")]
-html_css_files = [*fonts, "formulas.css", "book.css"]
-html_js_files = ["keys.js", "contents.js", "viewer.js"]
+fonts = [
+    f"fonts/{name}/{style}"
+    for name in ("source-serif-4", "jetbrains-mono")
+    for style in ("wght.css", "wght-italic.css")
+]
+html_css_files = [*fonts, "formulas.css", "book.css", "gallery.css"]
+html_js_files = ["keys.js", "contents.js", "viewer.js", "gallery.js"]
 html_sidebars = {
     "**": [
         "sidebar/brand.html",
