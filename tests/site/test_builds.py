@@ -517,6 +517,29 @@ class Slides(Copy):
         self.change("slides/2_next_event.md", "The only light that", "Note: the only light that")
         self.assert_refused("slides", "a colon in notes")
 
+    def test_a_line_of_the_course_that_is_empty_is_left_out(self):
+        self.change("slides/course.toml", '"Last day" = "fill in slides/course.toml"', '"Last day" = ""')
+        self.assertEqual(self.run_tool("slides.build", "--check").returncode, 0)
+        deck = (self.build / "slides-source/0_recap.md").read_text()
+        self.assertNotIn("Last day", deck)
+        self.assertIn("Recommended deadline", deck)
+
+    def test_a_line_of_the_course_that_is_no_text(self):
+        self.change("slides/course.toml", '"Last day" = "fill in slides/course.toml"', '"Last day" = 11')
+        self.assert_refused("slides", 'slides/course.toml: "Last day" is a text in quotes')
+
+    def test_a_file_of_the_course_that_is_broken(self):
+        self.change("slides/course.toml", '"Last day" = ', '"Last day" ')
+        self.assert_refused("slides", "slides/course.toml: ", "line")
+
+    def test_a_plan_that_skips_a_slide_that_there_is_not(self):
+        self.change("slides/plans.toml", '"Random numbers"', '"Random digits"')
+        self.assert_refused("slides", "plans.toml: 'Two sessions', session 1: no slide", "'Random digits'")
+
+    def test_a_session_that_takes_too_long(self):
+        self.change("slides/plans.toml", "minutes = 90", "minutes = 60")
+        self.assert_refused("slides", "'Five sessions', session 1: takes", "not 60")
+
 
 class Coverage(Copy):
     def test_a_title_of_the_course_without_a_slide(self):
