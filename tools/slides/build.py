@@ -37,8 +37,8 @@ footer: Lightwalk / {title}
 
 def figure(line, figures):
     """HTML for a line `{figure} name panels=1,2 height=300 labels=step`: the
-    panels' labels are there at once, or come with a step of their own. The
-    panels of `later=2` come with a step each."""
+    panels' labels are there at once, come with a step of their own, or not at
+    all (labels=none). The panels of `later=2` come with a step each."""
     name, *words = line.split()
     options = dict(word.split("=") for word in words)
     entry = figures.entry(name)
@@ -66,8 +66,10 @@ def figure(line, figures):
 
 def panel_label(label, labels, first):
     """Below a panel. Those that come with a step all come with the first."""
-    if not label or labels == "shown":
-        return f"<p>{label}</p>" * bool(label)
+    if not label or labels == "none":
+        return ""
+    if labels == "shown":
+        return f"<p>{label}</p>"
     return f"<p data-marpit-fragment>{label}</p>" if first else f"<p data-with-it>{label}</p>"
 
 
