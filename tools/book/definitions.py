@@ -11,7 +11,9 @@ from collections import Counter
 from compare.stages import ROOT
 
 # At the beginning of a line, which is where the house's style puts them.
-FUNCTION = re.compile(r"(?:inline |constexpr |explicit )*(?:const )?[A-Z_a-z][\w:]*(?:<[^()]*>)?[&*]? (\w+)\(")
+FUNCTION = re.compile(
+    r"(?:inline |constexpr |explicit )*(?:const )?[A-Z_a-z][\w:]*(?:<[^()]*>)?[&*]? (\w+)\("
+)
 TYPE = re.compile(r"(?:struct|class|enum class) (?:alignas\(\w+\) )?(\w+)(?=[ :{]|$)(?!.*;)")
 CONSTANT = re.compile(r"inline constexpr [\w:<>]+ (\w+)")
 ALIAS = re.compile(r"using (\w+) =")

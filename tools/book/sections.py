@@ -7,8 +7,23 @@ from html.parser import HTMLParser
 
 SKIPPED = {"script", "style", "svg", "nav", "button", "noscript"}
 VOID = {"img", "br", "hr", "input", "meta", "link", "col", "wbr"}
-READ = {"cos": "cos ", "sin": "sin ", "sqrt": "√", "cdot": "·", "le": "≤", "ge": "≥", "int": "∫", "approx": "≈",
-        "sum": "∑", "times": "×", "infty": "∞", "max": "max ", "min": "min ", "to": "→", "Rightarrow": "⇒"}
+READ = {
+    "cos": "cos ",
+    "sin": "sin ",
+    "sqrt": "√",
+    "cdot": "·",
+    "le": "≤",
+    "ge": "≥",
+    "int": "∫",
+    "approx": "≈",
+    "sum": "∑",
+    "times": "×",
+    "infty": "∞",
+    "max": "max ",
+    "min": "min ",
+    "to": "→",
+    "Rightarrow": "⇒",
+}
 NOT_SEARCHED = {"search.html", "genindex.html"}
 
 
@@ -72,7 +87,9 @@ def symbol(match):
     """A command of TeX as it is read: a Greek letter, or its name."""
     name = match[1]
     try:
-        return unicodedata.lookup(f"GREEK {'CAPITAL' if name[0].isupper() else 'SMALL'} LETTER {name.upper()}")
+        return unicodedata.lookup(
+            f"GREEK {'CAPITAL' if name[0].isupper() else 'SMALL'} LETTER {name.upper()}"
+        )
     except KeyError:
         return READ.get(name, "")
 

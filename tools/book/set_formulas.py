@@ -13,7 +13,9 @@ FORMULA = re.compile(
     r'|<div class="math notranslate nohighlight"[^>]*>\s*\\\[(?P<display>.*?)\\\]</div>',
     re.S,
 )
-LOADER = re.compile(r"\s*<script[^>]*>window\.MathJax = .*?</script>|\s*<script[^>]*mathjax/[^>]*></script>", re.S)
+LOADER = re.compile(
+    r"\s*<script[^>]*>window\.MathJax = .*?</script>|\s*<script[^>]*mathjax/[^>]*></script>", re.S
+)
 
 
 def formulas_in(text):
