@@ -152,6 +152,9 @@ def main():
     (static / "formulas.css").touch()
     for name in STATIC:
         shutil.copy(HERE / name, static)
+    live = sorted((HERE / "live").glob("*.js"))
+    (static / "live.js").write_text("".join(path.read_text() for path in live))
+    shutil.copy(HERE / "live/live.css", static)
     shutil.copy(BUILD / "node/node_modules/minisearch/dist/umd/index.js", static / "minisearch.js")
     copy_fonts(static)
     figures = PlacedFigures(source / "figures")

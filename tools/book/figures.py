@@ -54,7 +54,8 @@ class PlacedFigures(Figures):
         files = self.files(name)
         panels = entry.get("panels", [{}])
         facts, commands = self.facts(entry)
-        lines = [f"({name})=", "", f":::::{{container}} figure panels-{len(files)}"]
+        live = f" live-{name}" if entry.get("live") else ""
+        lines = [f"({name})=", "", f":::::{{container}} figure panels-{len(files)}{live}"]
         for file, panel in zip(files, panels):
             label = panel.get("label", "")
             shows = f"{entry['shows']} {label}".strip()

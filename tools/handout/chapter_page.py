@@ -21,7 +21,7 @@ PAGE = """\
 {article}
 </div></div></div></div>
 {glyphs}
-<script src="static/viewer.js"></script>
+{scripts}
 </body>
 </html>
 """
@@ -38,7 +38,8 @@ STYLES += tuple(
     for name in ("source-serif-4", "jetbrains-mono")
     for style in ("wght.css", "wght-italic.css")
 )
-STYLES += ("formulas.css", "book.css")
+STYLES += ("formulas.css", "book.css", "live.css")
+SCRIPTS = ("live.js", "viewer.js")
 # Scripts of the world that the book is written in.
 SUBSETS = re.compile(r"-(latin|latin-ext|greek)-wght-")
 
@@ -80,7 +81,7 @@ def styles():
                     path.parent / "files" / file
                 ).read_bytes()
     links = "\n".join(f'<link rel="stylesheet" href="static/{name}">' for name in STYLES)
-    found["static/viewer.js"] = (BOOK / "_static/viewer.js").read_bytes()
+    found |= {f"static/{name}": (BOOK / "_static" / name).read_bytes() for name in SCRIPTS}
     return found, links
 
 
@@ -104,6 +105,7 @@ def chapter_page(header):
         styles=links,
         article=article.replace('src="../_images/', 'src="images/'),
         glyphs=glyphs[0] if glyphs else "",
+        scripts="\n".join(f'<script src="static/{name}"></script>' for name in SCRIPTS),
     )
     files["index.html"] = page.encode()
     return {f"chapter/{path}": data for path, data in files.items()}
