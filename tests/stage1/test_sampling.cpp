@@ -64,7 +64,9 @@ TEST_CASE("the simplified weights are f cos / p") {
   material.kd = {0.9f, 0.5f, 0.1f};
   Hit hit{};
   hit.normal = normalize(Vec3(1, 2, -3));
-  const Surface surface(hit, material, hit.normal);
+  // Seen at a slant, so that wo is not taken for the normal.
+  const Vec3 wo = normalize(hit.normal + Vec3(0.4f, 0.7f, 0.6f));
+  const Surface surface(hit, material, wo);
   Random random(4, 0, 0);
   for (int i = 0; i < 1000; ++i) {
     const Vec2 u(random.uniform_2d());
