@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "stages/2_next_event/path_tracer.hpp"
-#include "support/expectations.hpp"
-#include "support/renders.hpp"
+#include "support/exact_radiance.hpp"
+#include "support/specular_scenes.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
@@ -30,17 +30,11 @@ Pixel lit(const Scene& scene, const Ray& ray, int samples) {
 }
 
 /// The share of a floor's light at the origin that comes from a square of side
-/// 1 whose least corner is given: Lambert's sum over its edges, over pi.
-double from_square(double x, double y, double z) {
-  const DoubleVec3 corners[] = {
-      {x, y, z}, {x + 1, y, z}, {x + 1, y, z + 1}, {x, y, z + 1}};
-  double sum = 0;
-  for (int i = 0; i < 4; ++i) {
-    const DoubleVec3 a = normalize(corners[i]);
-    const DoubleVec3 b = normalize(corners[(i + 1) % 4]);
-    sum += std::acos(dot(a, b)) * normalize(cross(b, a)).y;
-  }
-  return std::abs(sum) / (2 * std::numbers::pi);
+/// 1 at a height, which begins at x = `from` and has the origin's z in its
+/// middle.
+double from_square(double from, double height) {
+  return 2 * (rectangle_form_factor(from + 1, 0.5, height) -
+              rectangle_form_factor(from, 0.5, height));
 }
 
 }  // namespace
@@ -49,50 +43,24 @@ double from_square(double x, double y, double z) {
 // first square and the second ball, green from the second square, blue from
 // the first ball.
 TEST_CASE("direct light has its share from lamps of each type") {
-  const Scene scene = scene_text(R"(
-[materials]
-floor  = { kd = 0.5 }
-red    = { ke = [4, 0, 0] }
-green  = { ke = [0, 5, 0] }
-blue   = { ke = [0, 0, 30] }
-orange = { ke = [7, 0, 0] }
-[[shapes]]
-type = "plane"
-normal = [0, 1, 0]
-distance = 0
-material = "floor"
-[[shapes]]
-type = "rectangle"
-corner = [-3, 2, -0.5]
-edge_u = [1, 0, 0]
-edge_v = [0, 0, 1]
-material = "red"
-[[shapes]]
-type = "rectangle"
-corner = [2, 3, -0.5]
-edge_u = [1, 0, 0]
-edge_v = [0, 0, 1]
-material = "green"
-[[shapes]]
-type = "sphere"
-center = [0, 2, 3]
-radius = 0.5
-material = "blue"
-[[shapes]]
-type = "sphere"
-center = [0, 3, -3]
-radius = 1
-material = "orange"
-)");
+  const Scene scene = scene_text(
+      "[materials]\nfloor = { kd = 0.5 }\nred = { ke = [4, 0, 0] }\n"
+      "green = { ke = [0, 5, 0] }\nblue = { ke = [0, 0, 30] }\n"
+      "orange = { ke = [7, 0, 0] }\n" +
+      text::plane("0, 1, 0", "0", "floor") +
+      text::rectangle("-3, 2, -0.5", "1, 0, 0", "0, 0, 1", "red") +
+      text::rectangle("2, 3, -0.5", "1, 0, 0", "0, 0, 1", "green") +
+      text::sphere("0, 2, 3", "0.5", "blue") +
+      text::sphere("0, 3, -3", "1", "orange"));
   const Pixel pixel = lit(scene, {{0, 0.1f, 0}, {0, -1, 0}}, 50'000);
   const double ball = 0.5 * 30 * (0.25 / 13) * (2 / std::sqrt(13.0));
   const double other = 0.5 * 7 * (1.0 / 18) * (3 / std::sqrt(18.0));
   check_mean(
       "red: kd L_e F of the first square and kd L_e (r/d)^2 cos of "
       "the second ball",
-      pixel, 0, 0.5 * 4 * from_square(-3, 2, -0.5) + other);
+      pixel, 0, 0.5 * 4 * from_square(2, 2) + other);
   check_mean("green: kd L_e F of the second square", pixel, 1,
-             0.5 * 5 * from_square(2, 3, -0.5));
+             0.5 * 5 * from_square(2, 3));
   check_mean("blue: kd L_e (r/d)^2 cos of the first ball", pixel, 2, ball);
   INFO("the variance is ", pixel.variance(1),
        ": is another point of the lamp chosen each time?");
@@ -103,30 +71,27 @@ material = "orange"
 TEST_CASE("direct light is not shaded by the surface that it falls on") {
   struct Case {
     const char* name;
-    const char* shape;
+    std::string shape, center;
     Vec3 light, towards;
   };
   // Far from the origin, where floats are coarse.
+  const std::string ball = text::sphere("1500, -700, 900", "5", "wall");
   const Case cases[] = {
       {"a slanted wall",
-       "type = \"plane\"\nnormal = [0.6, 0, 0.8]\ndistance = -2000\n",
+       text::plane("0.6, 0, 0.8", "-2000", "wall"),
+       "1202, 3, 1602",
        {1202, 3, 1602},
        {-0.6f, 0, -0.8f}},
-      {"a ball",
-       "type = \"sphere\"\ncenter = [1500, -700, 900]\nradius = 5\n",
-       {1500, -690, 900},
-       {0, -1, 0}},
+      {"a ball", ball, "1500, -690, 900", {1500, -690, 900}, {0, -1, 0}},
       {"a ball from inside",
-       "type = \"sphere\"\ncenter = [1500, -700, 900]\nradius = 5\n",
+       ball,
+       "1500, -700, 900",
        {1500, -700, 900},
        {0, -1, 0}}};
   for (const Case& one : cases) {
-    std::ostringstream text;
-    text << "[materials]\nwall = { kd = 0.5 }\n[[shapes]]\n"
-         << one.shape << "material = \"wall\"\n[[lights]]\ntype = \"point\"\n"
-         << "intensity = 1\ncenter = [" << one.light.x << ", " << one.light.y
-         << ", " << one.light.z << "]\n";
-    const Scene scene = scene_text(text.str());
+    const Scene scene =
+        scene_text("[materials]\nwall = { kd = 0.5 }\n" + one.shape +
+                   text::point_light(one.center, "1"));
     Random random(5, 0, 0);
     int dark = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -144,19 +109,17 @@ TEST_CASE("direct light is not shaded by the surface that it falls on") {
 
 // The wall's own normal points down; wo is above, and so is the light.
 TEST_CASE("direct light comes to the side that is seen") {
-  const auto wall_under = [](const char* center) {
-    return scene_text(
-        "[materials]\nwall = { kd = 0.5 }\n[[shapes]]\ntype = \"plane\"\n"
-        "normal = [0, -1, 0]\ndistance = 0\nmaterial = \"wall\"\n[[lights]]\n"
-        "type = \"point\"\nintensity = 1\ncenter = " +
-        std::string(center) + "\n");
+  const auto wall_under = [](const std::string& center) {
+    return scene_text("[materials]\nwall = { kd = 0.5 }\n" +
+                      text::plane("0, -1, 0", "0", "wall") +
+                      text::point_light(center, "1"));
   };
   const Ray down{{0, 0.1f, 0}, {0, -1, 0}};
   check_mean("kd/pi I/d^2 of a light above, d = 2",
-             lit(wall_under("[0, 2, 0]"), down, 1), 0,
+             lit(wall_under("0, 2, 0"), down, 1), 0,
              0.5 / (4 * std::numbers::pi), 1e-4);
   check_mean("a light below, seen from above",
-             lit(wall_under("[0, -2, 0]"), down, 1), 0, 0);
+             lit(wall_under("0, -2, 0"), down, 1), 0, 0);
 }
 
 TEST_SUITE_END();
