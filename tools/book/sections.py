@@ -2,28 +2,12 @@
 
 import json
 import re
-import unicodedata
 from html.parser import HTMLParser
+
+from tools.exercises.words import formula
 
 SKIPPED = {"script", "style", "svg", "nav", "button", "noscript"}
 VOID = {"img", "br", "hr", "input", "meta", "link", "col", "wbr"}
-READ = {
-    "cos": "cos ",
-    "sin": "sin ",
-    "sqrt": "√",
-    "cdot": "·",
-    "le": "≤",
-    "ge": "≥",
-    "int": "∫",
-    "approx": "≈",
-    "sum": "∑",
-    "times": "×",
-    "infty": "∞",
-    "max": "max ",
-    "min": "min ",
-    "to": "→",
-    "Rightarrow": "⇒",
-}
 NOT_SEARCHED = {"search.html", "genindex.html"}
 
 
@@ -83,27 +67,14 @@ class Sections(HTMLParser):
             self.stack[-1]["text"].append(data)
 
 
-def symbol(match):
-    """A command of TeX as it is read: a Greek letter, or its name."""
-    name = match[1]
-    try:
-        return unicodedata.lookup(
-            f"GREEK {'CAPITAL' if name[0].isupper() else 'SMALL'} LETTER {name.upper()}"
-        )
-    except KeyError:
-        return READ.get(name, "")
-
-
 def plain(text):
-    """Formulas become what is left of them without their marks."""
-    formula = re.compile(r"\\\((.*?)\\\)|\\\[(.*?)\\\]", re.S)
+    """Formulas as they can be read, without what TeX has for their looks."""
+    formulas = re.compile(r"\\\((.*?)\\\)|\\\[(.*?)\\\]", re.S)
 
     def read(match):
-        tex = match[1] or match[2]
-        tex = re.sub(r"\\(?:d|t)?frac\{([^{}]*)\}\{([^{}]*)\}", r"\1/\2", tex)
-        return " " + re.sub(r"[{}&]|\\[^A-Za-z]", "", re.sub(r"\\([A-Za-z]+) ?", symbol, tex)) + " "
+        return " " + re.sub(r"\\[A-Za-z]+|[\\&]", "", formula(match[1] or match[2])) + " "
 
-    return " ".join(formula.sub(read, text).split())
+    return " ".join(formulas.sub(read, text).split())
 
 
 def sections_of(page, text):

@@ -30,6 +30,14 @@ SYMBOLS = {
     r"\sum": "Σ",
     r"\int": "∫",
     r"\Omega": "Ω",
+    r"\alpha": "α",
+    r"\delta": "δ",
+    r"\varepsilon": "ε",
+    r"\sigma": "σ",
+    r"\approx": "≈",
+    r"\infty": "∞",
+    r"\min": "min",
+    r"\Rightarrow": "⇒",
 }
 
 
