@@ -38,6 +38,12 @@ def core_headers():
     return listed
 
 
+def tests_filter(beginnings):
+    """What doctest's -tc takes for the tests that begin so: a comma would
+    separate two, a quote would end the shell's word, and `?` is any letter."""
+    return ",".join(re.sub(r"[,'\"*\\]", "?", begin) + "*" for begin in beginnings)
+
+
 def test_names(folder):
     """The names of the test cases in the folder's sources, file by file."""
     literal = r'"(?:[^"\\]|\\.)*"'

@@ -9,7 +9,7 @@ import tomllib
 
 from docutils.nodes import make_id
 
-from compare.stages import ROOT, Failure
+from compare.stages import ROOT, Failure, tests_filter
 from tools.book.catalogue import diff_html, escaped, read_catalogue
 from tools.book.page import fenced
 
@@ -49,7 +49,7 @@ def figure(shown, figures):
 
 def card(entry, shown, figures):
     """A mistake with its pictures."""
-    test = re.sub("[,']", "?", entry.mistake.caught_by)
+    test = tests_filter([entry.mistake.caught_by])
     section = entry.section()
     words = [
         plain(entry.sentence),
@@ -57,7 +57,7 @@ def card(entry, shown, figures):
         *fenced("code-block", "diff", entry.changed(context=1)[1], mark="`"),
         f"Caught by the test “{plain(entry.test)}”:",
         "",
-        *fenced("code-block", "sh", [f"build/stage{shown['stage']}_tests -tc='{test}*'"], mark="`"),
+        *fenced("code-block", "sh", [f"build/stage{shown['stage']}_tests -tc='{test}'"], mark="`"),
         f"In the chapter: [{plain(section)}]({entry.page('.md')}#{slug(section)})",
         "",
     ]

@@ -20,9 +20,9 @@ import textwrap
 import time
 import tomllib
 
-from compare.stages import BUILD, ROOT, Failure, run, stage_headers
+from compare.stages import BUILD, ROOT, Failure, run, stage_headers, tests_filter
 from tools.exercises.marks import marks
-from tools.exercises.sheet import read_tasks
+from tools.exercises.sheet import read_tasks, title_of
 from tools.exercises.words import plain, say
 
 NOTES = BUILD / "check"
@@ -85,12 +85,11 @@ def run_suite(stage, tests=()):
     suffix = ".exe" if os.name == "nt" else ""
     suite = BUILD / f"stage{stage}_check{suffix}"
     runner = BUILD / f"run_suite{suffix}"
-    names = ",".join(test.replace(",", "?").replace("'", "?") + "*" for test in tests)
     command = [
         *([runner] if runner.exists() else []),
         suite,
         "-r=brief",
-        *([f"-tc={names}"] if tests else []),
+        *([f"-tc={tests_filter(tests)}"] if tests else []),
     ]
     try:
         done = subprocess.run(
@@ -172,10 +171,6 @@ def explain(one):
         next_step = say("Mend it, and `make check` once more.")
     yield ""
     yield next_step + " " + say("`make hint` gives a hint, `make watch` checks whenever you save.")
-
-
-def title_of(header):
-    return next(line[5:] for line in header.read_text().splitlines() if line.startswith("// # "))
 
 
 def check(stage):

@@ -13,10 +13,9 @@ mistake is found in no exercise.
 import argparse
 import concurrent.futures
 import os
-import re
 import sys
 
-from compare.stages import BUILD, Failure
+from compare.stages import BUILD, Failure, tests_filter
 from tests.mistakes import mistakes as catalogue
 from tools.exercises.marks import exercises
 from tools.exercises.sheet import read_sheet
@@ -45,8 +44,7 @@ def first_failing(mistake, suite, given, tasks, folder):
         asked += [(number, task.later) for number, task in tasks.items() if task.later]
         asked += [(list(tasks)[-1], [""])]  # any other test is the last exercise's
         for number, tests in asked:
-            names = ",".join(re.sub(r"[,\\*\"]", "?", test) + "*" for test in tests)
-            _, code, end = catalogue.run_program([program, "-r=xml", f"-tc={names}"])
+            _, code, end = catalogue.run_program([program, "-r=xml", f"-tc={tests_filter(tests)}"])
             if code or end:
                 return number
         return None

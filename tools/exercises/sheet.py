@@ -13,7 +13,7 @@ import functools
 import tomllib
 from dataclasses import dataclass, field
 
-from compare.stages import ROOT, Failure, stage_headers, test_names
+from compare.stages import ROOT, Failure, stage_headers, test_names, tests_filter
 from tools.exercises.marks import Exercise, exercises, order
 
 QUESTIONS, RECAP, HINTS = 3, 5, 2
@@ -45,12 +45,10 @@ class Task:
         return self.mark.number.split(".")[0]
 
     def command(self):
-        """Builds and runs the tests of the exercise; a comma would separate
-        two filters, and `?` is any letter."""
-        names = ",".join(test.replace(",", "?").replace("'", "?") + "*" for test in self.tests)
+        """Builds and runs the tests of the exercise."""
         return [
             f"cmake --build build --target stage{self.stage}_tests",
-            f"build/stage{self.stage}_tests -tc='{names}'",
+            f"build/stage{self.stage}_tests -tc='{tests_filter(self.tests)}'",
         ]
 
 
@@ -80,6 +78,11 @@ def read_tasks(header):
     path = header.with_name("exercises.toml")
     tables = tomllib.loads(path.read_text(encoding="utf-8"))["exercise"] if path.exists() else []
     return {table["number"]: table for table in tables}
+
+
+def title_of(header):
+    """The chapter's, "Stage 3: perfect mirrors and glass"."""
+    return next(line[5:] for line in header.read_text().splitlines() if line.startswith("// # "))
 
 
 def task_file(header):

@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 from compare.stages import BUILD
+from tools.exercises.sheet import title_of
 
 BOOK = BUILD / "book"
 PAGE = """\
@@ -32,13 +33,8 @@ SOLUTION = re.compile(
 )
 FOLDED = r"<details[^>]*>\s*<summary[^>]*>\s*<span[^>]*>{}(?:(?!</details>).)*</details>"
 LINK = re.compile(r'<a\b[^>]*\bhref="([^"]*)"[^>]*>(.*?)</a>', re.S)
-STYLES = ("pygments.css", "styles/furo.css", "sphinx-design.min.css", "styles/furo-extensions.css")
-STYLES += tuple(
-    f"fonts/{name}/{style}"
-    for name in ("source-serif-4", "jetbrains-mono")
-    for style in ("wght.css", "wght-italic.css")
-)
-STYLES += ("formulas.css", "book.css", "live.css")
+STYLE = re.compile(r'<link rel="stylesheet"[^>]*href="\.\./_static/([^"?]+)')
+FONT = re.compile(r"url\(\./files/([\w.-]+)\)")
 SCRIPTS = ("live.js", "viewer.js")
 # Scripts of the world that the book is written in.
 SUBSETS = re.compile(r"-(latin|latin-ext|greek)-wght-")
@@ -69,20 +65,13 @@ def without_links(article):
     return LINK.sub(text, article)
 
 
-def styles():
-    """{path beside the page: bytes}, and the elements that name them."""
-    found = {}
-    for name in STYLES:
-        path = BOOK / "_static" / name
-        found[f"static/{name}"] = path.read_bytes()
-        for file in re.findall(r"url\(\./files/([\w.-]+)\)", path.read_text() if "fonts/" in name else ""):
-            if SUBSETS.search(file):
-                found[f"static/{Path(name).parent}/files/{file}"] = (
-                    path.parent / "files" / file
-                ).read_bytes()
-    links = "\n".join(f'<link rel="stylesheet" href="static/{name}">' for name in STYLES)
-    found |= {f"static/{name}": (BOOK / "_static" / name).read_bytes() for name in SCRIPTS}
-    return found, links
+def static_files(styles):
+    """The style sheets, their fonts and the scripts: {path: bytes}."""
+    names = [*styles, *SCRIPTS]
+    for style in styles:
+        fonts = FONT.findall((BOOK / "_static" / style).read_text())
+        names += [f"{Path(style).parent}/files/{font}" for font in fonts if SUBSETS.search(font)]
+    return {f"static/{name}": (BOOK / "_static" / name).read_bytes() for name in names}
 
 
 def chapter_page(header):
@@ -94,15 +83,16 @@ def chapter_page(header):
     text = source.read_text()
     article = text[text.index("<article") : text.index("</article>") + len("</article>")]
     article = without_links(without_solutions(article))
-    files, links = styles()
-    links += "".join("\n" + style for style in re.findall(r"<style>.*?</style>", text, re.S))  # the theme's
+    styles = STYLE.findall(text)
+    files = static_files(styles)
+    links = [f'<link rel="stylesheet" href="static/{name}">' for name in styles]
+    links += re.findall(r"<style>.*?</style>", text, re.S)  # the theme's
     for name in set(re.findall(r'src="\.\./_images/([^"]+)"', article)):
         files[f"images/{name}"] = (BOOK / "_images" / name).read_bytes()
     glyphs = re.search(r'<svg[^>]*id="MJX-SVG-global-cache".*?</svg>', text, re.S)
-    title = next(line[5:] for line in header.read_text().splitlines() if line.startswith("// # "))
     page = PAGE.format(
-        title=title,
-        styles=links,
+        title=title_of(header),
+        styles="\n".join(links),
         article=article.replace('src="../_images/', 'src="images/'),
         glyphs=glyphs[0] if glyphs else "",
         scripts="\n".join(f'<script src="static/{name}"></script>' for name in SCRIPTS),

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from compare.stages import ROOT, Failure, stage_headers
 from tools.exercises.marks import exercises
+from tools.exercises.sheet import title_of
 from tools.handout.chapter_page import book_page, chapter_page
 from tools.handout.lab_sheet import lab_sheet
 from tools.handout.opened import opened
@@ -117,7 +118,6 @@ def contents(stage, tracked, solutions):
 
 def readme(header):
     first = exercises(header)[0]
-    title = next(line for line in header.read_text().splitlines() if line.startswith("// # "))
     scenes = {
         1: "scenes/cornell_box_ceiling_diffuse.toml",
         2: "scenes/cornell_box_point_diffuse.toml",
@@ -135,7 +135,7 @@ def readme(header):
         .read_text()
         .format(
             stage=stage_of(header),
-            title=title.split(": ", 1)[1],
+            title=title_of(header).split(": ", 1)[1],
             header=header.relative_to(ROOT).as_posix(),
             folder=header.parent.name,
             reading=reading,

@@ -21,9 +21,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from compare.stages import ROOT, Failure, stage_headers
-from tools.handout.chapter_page import book_page
-from tools.handout.contents import contents, stage_of
+from compare.stages import ROOT, Failure
+from tools.handout.contents import contents
 from tools.handout.third_party import copy_libraries
 
 NOTE = "handout.json"
@@ -67,9 +66,8 @@ def note(stage, files):
     return json.dumps({"stage": stage, "files": sums}, indent=1) + "\n"
 
 
-def tell_missing_page(stage):
-    header = next(header for header in stage_headers() if stage_of(header) == stage)
-    if not book_page(header):
+def tell_missing_page(stage, files):
+    if not any(re.match(rf"stages/{stage}_\w+/chapter/", path) for path in files):
         print(
             "  without the chapter as a page with its figures: "
             "`make book` makes it, and handouts that are made after it bring it along"
@@ -100,7 +98,7 @@ def make_new(stage, solutions, folder):
         raise
     size = sum(map(len, files.values()))
     print(f"{folder}: stage {stage}, {len(files)} files, {size / 1e6:.1f} MB")
-    tell_missing_page(stage)
+    tell_missing_page(stage, files)
 
 
 def add_to(stage, folder):
@@ -132,7 +130,7 @@ def add_to(stage, folder):
     print(f"{folder}: stage {stage} is in, {news} files new or newer. `git add -A && git commit` keeps them.")
     for path in kept:
         print(f"  {path} was changed there, and is as it was")
-    tell_missing_page(stage)
+    tell_missing_page(stage, files)
 
 
 def main():

@@ -1,7 +1,7 @@
 """The lab sheet of a stage: what is to be done, and what it counts. Made from
 the chapter's marks and exercises.toml, so that it cannot say anything else."""
 
-from tools.exercises.sheet import read_sheet
+from tools.exercises.sheet import read_sheet, title_of
 
 HAND_IN = """\
 ## What to hand in
@@ -19,9 +19,8 @@ def hours(minutes):
 def lab_sheet(header):
     """Markdown."""
     sheet = read_sheet(header)
-    title = next(line[5:] for line in header.read_text().splitlines() if line.startswith("// # "))
     tasks = list(sheet.tasks.values())
-    lines = [f"# {title}", ""]
+    lines = [f"# {title_of(header)}", ""]
     lines += [f"Read [path_tracer.hpp]({header.name}) from the top. Each exercise stands where its"]
     lines += ["idea has just been explained. `make check` judges them in this order.", ""]
     lines += ["| | exercise | where | time | points |", "|---|---|---|---|---|"]

@@ -19,7 +19,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from compare.stages import ROOT, Failure, stage_headers
+from compare.stages import ROOT, Failure, stage_headers, tests_filter
 from tools.exercises.marks import exercises, marks
 from tools.exercises.sheet import read_sheet
 from tools.handout.contents import contents, stage_of
@@ -126,8 +126,12 @@ class Student:
 
     def passes(self, stage, tests):
         """Whether the stage's tests with these names pass."""
-        names = ",".join(test.replace(",", "?").replace("'", "?") + "*" for test in tests)
-        command = [self.build / "run_suite", self.build / f"stage{stage}_check", "-r=brief", f"-tc={names}"]
+        command = [
+            self.build / "run_suite",
+            self.build / f"stage{stage}_check",
+            "-r=brief",
+            f"-tc={tests_filter(tests)}",
+        ]
         return self.run(*command).returncode == 0
 
     def put_in(self, stage, solved, text):
