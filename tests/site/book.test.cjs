@@ -11,15 +11,11 @@ let browser;
 before(async () => (browser = await launch()));
 after(() => browser?.close());
 
-/** Every page in turn, once its formulas are set. */
+/** Every page in turn. */
 async function onEveryPage(options, check) {
   const page = await watched(browser, options);
   for (const name of files("book", ".html")) {
     await page.goto(url(name));
-    if (await page.locator("script[src*=mathjax]").count()) {
-      await page.waitForFunction(() => window.MathJax?.startup?.promise);
-      await page.evaluate(() => window.MathJax.startup.promise);
-    }
     await check(page, name);
   }
   await page.close();

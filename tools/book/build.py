@@ -18,7 +18,7 @@ from tools.book.definitions import link_definitions
 from tools.book.figures import PlacedFigures
 from tools.book.measurements import measurements_page
 from tools.book.mistakes import mistakes_page
-from tools.book.page import weave
+from tools.book.page import page_of, weave
 from tools.book.sections import write_sections
 from tools.book.set_formulas import set_formulas
 from tools.book.symbols import symbols_page
@@ -41,10 +41,6 @@ def core_headers():
             if re.search(r"^// # ", path.read_text(), re.M)]
 
 
-def core_page(header):
-    return "core/" + header.relative_to(ROOT / "common").with_suffix("").as_posix()
-
-
 def write(path, lines):
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text("\n".join(lines) + "\n")
@@ -54,14 +50,13 @@ def write_source(source, figures):
     bare = ["---", "hide-toc: true", "---", ""]
     for header in stage_headers():
         check_names(header)
-        name = header.parent.name
         sheet = read_sheet(header)
         for what, text in sheet.texts():
             check_text(text, f"{task_file(header)}: {what}")
-        write(source / f"stages/{name}.md", bare + weave(header, figures, sheet))
+        write(source / f"{page_of(header)}.md", bare + weave(header, figures, sheet))
     for header in core_headers():
         check_names(header)
-        write(source / f"{core_page(header)}.md", bare + weave(header, figures))
+        write(source / f"{page_of(header)}.md", bare + weave(header, figures))
     for page in PAGES.glob("*.md"):
         if page.name != "index.md":
             write(source / page.name, figures.filled(page).split("\n"))
@@ -75,8 +70,8 @@ def write_source(source, figures):
 
 def front_page(figures, with_mistakes):
     text = figures.filled(PAGES / "index.md")
-    chapters = [f"stages/{p.parent.name}" for p in stage_headers()]
-    core = [core_page(header) for header in core_headers()]
+    chapters = [page_of(header) for header in stage_headers()]
+    core = [page_of(header) for header in core_headers()]
     rest = ["symbols", "measurements", "further_reading"]
     rest += ["mistakes"] * with_mistakes
     lines = text.split("\n")
@@ -132,9 +127,8 @@ def copy_fonts(static):
 def finish(book):
     """What is done to the pages that Sphinx has made."""
     write_sections(book)
-    pages = [(header, f"stages/{header.parent.name}") for header in stage_headers()]
-    pages += [(header, core_page(header)) for header in core_headers()]
-    link_definitions(book, pages)
+    headers = stage_headers() + core_headers()
+    link_definitions(book, [(header, page_of(header)) for header in headers])
     set_formulas(book)
     # The menu instead of the sidebar as long as there is no room for two
     # columns beside it.

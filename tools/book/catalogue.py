@@ -10,6 +10,7 @@ from types import SimpleNamespace
 
 from compare.stages import ROOT, stage_headers, test_names
 from tests.mistakes.mistakes import CATALOGUE, Mistake, changed_header, read_mistakes
+from tools.book.page import page_of
 
 
 @dataclass
@@ -59,7 +60,7 @@ class Entry:
         return next(m[1] for line in lines[::-1] if (m := re.match(r"// #{1,3} (.*)", line)))
 
     def page(self, suffix):
-        return f"stages/{self.header.parent.name}{suffix}"
+        return page_of(self.header) + suffix
 
 
 def read_catalogue():

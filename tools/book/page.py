@@ -13,6 +13,13 @@ from tools.weave.transcripts import transcripts_of
 HEADING = re.compile(r"^(#+) (.*)")
 
 
+def page_of(header):
+    """The page that is woven from a header, without its ending."""
+    if header.is_relative_to(ROOT / "stages"):
+        return f"stages/{header.parent.name}"
+    return "core/" + header.relative_to(ROOT / "common").with_suffix("").as_posix()
+
+
 def slug(path, name):
     chapter = path.parent if path.parent.parent.name == "stages" else path
     return chapter.stem.replace("_", "-") + f"-{name}"

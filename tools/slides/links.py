@@ -4,7 +4,7 @@ and the tests that belong to it. The book is built beside the slides."""
 import re
 
 from compare.stages import ROOT
-from tools.book.page import slug
+from tools.book.page import page_of, slug
 from tools.slides.coverage import table
 from tools.weave.literate import pieces, region
 
@@ -27,11 +27,9 @@ def references(slide):
     return list(dict.fromkeys(found))
 
 
-def page_of(path):
+def page_address(path):
     """The address of the book's page about a header."""
-    if path.startswith("stages/"):
-        return f"{BOOK}/{path.rsplit('/', 1)[0]}.html"
-    return f"{BOOK}/core/{path.removeprefix('common/').removesuffix('.hpp')}.html"
+    return f"{BOOK}/{page_of(ROOT / path)}.html"
 
 
 def anchor(reference):
@@ -44,12 +42,12 @@ def anchor(reference):
 
 
 def address(reference):
-    return page_of(reference.split("#")[0]) + anchor(reference)
+    return page_address(reference.split("#")[0]) + anchor(reference)
 
 
 def exercises_of(reference):
     path, _, name = reference.partition("#")
-    return [(page_of(path), one.number) for one in region(reference).exercises] if name else []
+    return [(page_address(path), one.number) for one in region(reference).exercises] if name else []
 
 
 def name_of(reference):
