@@ -252,7 +252,7 @@ class Exercises(Copy):
         self.task("  \"Snell's law bends a path", "#", "recap has 4 lines, not 5")
 
     def test_a_formula_in_a_task_that_is_broken(self):
-        self.task("$\\\\omega_r = 2n", "$\\\\omegar = 2n", "exercise 3.1", "omegar")
+        self.task("$\\\\omega_r = 2", "$\\\\omegar = 2", "exercise 3.1", "omegar")
 
     def test_a_name_in_a_task_that_is_not_in_the_code(self):
         self.task("Write `reflect`,", "Write `mirrorize`,", "exercise 3.1", "`mirrorize` is not in the code")
