@@ -6,6 +6,13 @@
 #define NDEBUG
 #endif
 
+// What a damaged JPEG leaves unset is zero, so that what becomes of it does
+// not depend on what was in the memory before.
+#include <cstdlib>
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(memory, size) std::realloc(memory, size)
+#define STBI_FREE(memory) std::free(memory)
+
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG

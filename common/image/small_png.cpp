@@ -39,6 +39,10 @@ std::string big_endian(std::uint32_t value) {
   return bytes;
 }
 
+bool is_letter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
 /// What stb does not look at: that each chunk is as it was written, and that
 /// the last one is there.
 std::string check_chunks(std::string_view bytes) {
@@ -49,7 +53,12 @@ std::string check_chunks(std::string_view bytes) {
     if (png_sum(chunk) != number_at(bytes, at + 8 + length, 4, true)) {
       return "a chunk of it is damaged: its sum is wrong";
     }
-    if (chunk.substr(0, 4) == "IEND") return "";
+    const std::string_view name = chunk.substr(0, 4);
+    if (!std::all_of(name.begin(), name.end(), is_letter)) {
+      return "it is damaged: a chunk's name has four letters, and at byte " +
+             std::to_string(at) + " there is another sign";
+    }
+    if (name == "IEND") return "";
     at += 12 + length;
   }
   return "it is cut off: a PNG ends with the chunk IEND";

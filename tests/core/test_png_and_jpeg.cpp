@@ -13,6 +13,7 @@
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
+using namespace std::string_literals;
 
 namespace {
 
@@ -65,15 +66,20 @@ std::string turned_jpeg(std::string jpeg, const std::string& data) {
   return jpeg.insert(2, segment);
 }
 
-/// A PNG with an eXIf chunk behind its header.
-std::string turned_png(std::string png, const std::string& data) {
-  const std::string chunk = "eXIf" + data;
+/// A chunk of a PNG: its length, its name, its data, and the sum over both.
+std::string png_chunk(const std::string& name, const std::string& data) {
+  const std::string chunk = name + data;
   std::uint32_t crc = 0xffffffff;
   for (const char c : chunk) {
     crc ^= static_cast<std::uint8_t>(c);
     for (int i = 0; i < 8; ++i) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
   }
-  return png.insert(33, big_endian(data.size()) + chunk + big_endian(~crc));
+  return big_endian(data.size()) + chunk + big_endian(~crc);
+}
+
+/// A PNG with an eXIf chunk behind its header.
+std::string turned_png(std::string png, const std::string& data) {
+  return png.insert(33, png_chunk("eXIf", data));
 }
 
 /// "red green / blue white": what is in the four corners, row by row.
@@ -153,6 +159,19 @@ TEST_CASE("a JPEG that ends early is refused, wherever it ends") {
           "it is cut off: a JPEG ends with the bytes FF D9, and there are "
           "none in its " +
               std::to_string(whole.size() - 20) + " bytes");
+  }
+}
+
+TEST_CASE("a PNG with a chunk whose name is none is refused with a reason") {
+  const TemporaryFolder folder;
+  const std::string png = bytes_of(pictures + "/corners.png");
+  for (const std::string& name : {std::string(4, '\0'), "I\0AT"s, "1234"s}) {
+    store(folder / "a.png",
+          std::string(png).insert(33, png_chunk(name, "data")));
+    const std::string why = texture_complaint(folder, "a.png");
+    CAPTURE(why);
+    CHECK(why != "");
+    CHECK_FALSE(why.ends_with(": "));
   }
 }
 
