@@ -156,7 +156,8 @@ TEST_CASE("a small PNG or JPEG that claims a large picture is refused") {
   check_refused(".png", jpeg, "cannot hold 8000 x 8000");
 }
 
-// Whatever the packer can do, it does here.
+// Whatever the packer can do, it does here: zlib makes one byte of a thousand,
+// and stb, which stands in for it, at best 13 bits of 258 bytes.
 TEST_CASE("a large picture of one color is read, though its file is small") {
   const TemporaryFolder folder;
   RenderResult black;
@@ -165,7 +166,8 @@ TEST_CASE("a large picture of one color is read, though its file is small") {
     const std::string path = folder / ("a" + ending);
     write_image(path, black, {});
     CAPTURE(ending);
-    CHECK(fs::file_size(path) < 50'000);
+    const std::uintmax_t pixel_bytes = ending == ".exr" ? 6 * 4 : 3;
+    CHECK(fs::file_size(path) < 1500 * 1000 * pixel_bytes / 50);
     CHECK(read_complaint(path) == "");
   }
 }
