@@ -42,7 +42,8 @@ class PlacedFigures(Figures):
         files = self.files(name)
         panels = entry.get("panels", [{}])
         facts, commands = self.facts(entry)
-        lines = [f"({name})=", "", f":::::{{container}} figure panels-{len(files)}"]
+        lives = f" live-{entry['live']}" if "live" in entry else ""
+        lines = [f"({name})=", "", f":::::{{container}} figure panels-{len(files)}{lives}"]
         for file, panel in zip(files, panels):
             label = panel.get("label", "")
             shows = f"{entry['shows']} {label}".strip()
