@@ -19,7 +19,7 @@ from tools.book.measurements import measurements_page
 from tools.book.mistakes import mistakes_page
 from tools.book.page import weave
 from tools.book.symbols import symbols_page
-from tools.live.build import add_live
+from tools.live.build import add_live, check_live
 from tools.weave.formulas import check_formulas, formulas, formulas_of_header
 from tools.weave.names import check_names, check_text
 from tools.weave.offline import check_offline
@@ -121,13 +121,14 @@ def main():
     for name in ("book.css", "keys.js"):
         shutil.copy(HERE / name, static)
     figures = PlacedFigures(source / "figures")
-    add_live(static, figures.entries)
+    check_live(figures.entries)
     write_source(source, figures)
     check_every_formula(figures)
     for header in stage_headers() + core_headers():
         check_transcripts(header)
     if "--check" in sys.argv[1:]:
         return
+    add_live(static)
     os.environ["BOOK_STATIC"] = str(static)
     run_sphinx(source)
     check_offline(BUILD / "book")

@@ -1,18 +1,21 @@
 """The scripts and styles of the figures that live, for the book's pages.
 
-A figure whose entry in figures.toml says `live = "NAME"` is replaced in the
-browser by what a script here registers as `live.figures.NAME`. Without
-JavaScript, and on paper, the still figure stands there.
+A figure whose entry in figures.toml says `live = "NAME"` is replaced or
+extended in the browser by what a script here registers as
+`live.figures.NAME`. Without JavaScript, and on paper, the still figure stands
+there. Where no compiler makes WebAssembly, the lab's box stays still.
 """
 
 from pathlib import Path
 
 from compare.stages import Failure
+from tools.live.box import box_script
 from tools.weave import drawing
 
 HERE = Path(__file__).parent
 # The first is what the others use.
 SCRIPTS = ("drawing.js", "inversion.js", "snell.js", "event_bar.js", "fresnel.js")
+BOX = ("box_controls.js", "box_path.js", "box.js")
 COLORS = ("INK", "SOFT", "PAPER", "WARM", "COOL", "GREEN", "GRAY", "SAND", "GLASS", "FAINT")
 
 
@@ -37,18 +40,22 @@ def colors():
     return "\n".join(lines) + "\n"
 
 
-def check_names(entries):
-    """Every figure that should live has a script, and the reverse."""
-    scripts = "".join((HERE / name).read_text() for name in SCRIPTS)
+def check_live(entries):
+    """Refuses a figure that should live, and that no script makes so."""
+    scripts = "".join((HERE / name).read_text() for name in SCRIPTS + BOX)
     for entry in entries.values():
         name = entry.get("live")
         if name and f"live.figures.{name} =" not in scripts and f'live.figures["{name}"] =' not in scripts:
             raise Failure(f"figures.toml: {entry['name']}: no script makes '{name}' live")
 
 
-def add_live(static, entries):
-    """Writes live.js and live.css into the folder of static files."""
-    check_names(entries)
-    scripts = ((HERE / name).read_text() for name in SCRIPTS)
-    (static / "live.js").write_text("(() => {\n" + "\n".join(scripts) + "})();\n")
+def add_live(static):
+    """Writes the scripts and styles into the folder of static files."""
+    box = box_script()
+    names = SCRIPTS
+    if box:
+        (static / "live-box.js").write_text(box)
+        names += BOX
+    scripts = "\n".join((HERE / name).read_text() for name in names)
+    (static / "live.js").write_text("(() => {\n" + scripts + "})();\n")
     (static / "live.css").write_text(colors() + (HERE / "live.css").read_text())
