@@ -7,6 +7,7 @@ the headers and libraries that `tools/setup.sh live` installs.
 
 import base64
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -25,7 +26,7 @@ MISTAKES = {
     (3, "eta-inverted"): "with the ratio of η inverted",
     (4, "not-divided-by-the-probability"): "not divided by the probability",
 }
-COMPILER = ["clang++", "--target=wasm32-wasi"]
+COMPILER = [os.environ.get("WASM_CXX", "clang++"), "--target=wasm32-wasi"]
 # As the native programs are made, so that the bits are theirs.
 OPTIONS = ["-std=c++20", "-O2", "-DNDEBUG", "-ffp-contract=off", "-msimd128", "-fno-exceptions", "-fno-rtti"]
 

@@ -4,8 +4,11 @@ A figure whose entry in figures.toml says `live = "NAME"` is replaced or
 extended in the browser by what a script here registers as
 `live.figures.NAME`. Without JavaScript, and on paper, the still figure stands
 there. Where no compiler makes WebAssembly, the lab's box stays still.
+
+    python3 -m tools.live.build FOLDER
 """
 
+import sys
 from pathlib import Path
 
 from compare.stages import Failure
@@ -59,3 +62,10 @@ def add_live(static):
     scripts = "\n".join((HERE / name).read_text() for name in names)
     (static / "live.js").write_text("(() => {\n" + scripts + "})();\n")
     (static / "live.css").write_text(colors() + (HERE / "live.css").read_text())
+
+
+if __name__ == "__main__":
+    try:
+        add_live(Path(sys.argv[1]))
+    except Failure as error:
+        sys.exit(f"live: {error}")
