@@ -180,6 +180,13 @@ test("the box paints, pauses, and begins anew", { skip: noBox }, async () => {
   assert.equal(await samples(), paused, "it paints while it is paused");
   await figure.getByRole("button", { name: "Continue" }).press("Enter");
   await until(paused + 1);
+  await page.evaluate(() => window.scrollTo(0, 0));
+  await page.waitForTimeout(400);
+  const away = await samples();
+  await page.waitForTimeout(300);
+  assert.equal(await samples(), away, "it paints while nobody sees it");
+  await figure.locator("canvas").scrollIntoViewIfNeeded();
+  await until(away + 1);
   await figure.getByLabel("program").selectOption("pi-of-the-brdf-forgotten");
   await page.waitForTimeout(200);
   await until(3);

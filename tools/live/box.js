@@ -115,5 +115,7 @@ live.startBox = (stage, preset) => {
   order("start", { bytes: Uint8Array.from(atob(wasm), (c) => c.charCodeAt(0)).buffer });
   fit();
   paint();
+  // Nobody looks at what is not on the screen.
+  new IntersectionObserver(([{ isIntersecting }]) => paused || order(isIntersecting ? "go" : "pause")).observe(picture);
   canvas.focus({ preventScroll: true });
 };

@@ -1,8 +1,12 @@
 // Paints the lab's box, a sample of each pixel at a time, beside the page.
 // Gets the module once, then orders; sends pictures, and paths that were asked.
 "use strict";
-let box, job, samples, running, shownAt;
+let box, job, samples, running, queued, shownAt;
 const turn = new MessageChannel(); // quicker than setTimeout, and lets messages in
+const next = () => {
+  if (!queued) turn.port2.postMessage(0);
+  queued = true;
+};
 
 const show = () => {
   const at = box.show(job.exposure);
@@ -19,10 +23,11 @@ const begin = () => {
 };
 
 const work = () => {
+  queued = false;
   if (!running || samples >= job.most) return;
   samples = box.add_pass(job.variant);
   if (samples < 4 || samples >= job.most || performance.now() - shownAt > 80) show();
-  turn.port2.postMessage(0);
+  next();
 };
 turn.port1.onmessage = work;
 
@@ -41,9 +46,8 @@ const orders = {
     show();
   },
   go: () => {
-    if (running && samples) return;
     running = true;
-    turn.port2.postMessage(0);
+    next();
   },
   follow: ({ column, row, sample }) => {
     const count = box.follow(job.variant, column, row, sample);
