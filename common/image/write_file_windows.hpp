@@ -85,7 +85,12 @@ class UnfinishedFile {
 /// Throws an ImageError where no file can be, or none that may be replaced.
 inline void check_file_place(const std::string& path) {
   check_folder_of(path);
-  const DWORD attributes = GetFileAttributesW(file_path(path).c_str());
+  const std::filesystem::path place = file_path(path);
+  // NTFS: a name has at most 255 units of UTF-16.
+  if (place.filename().native().size() > 255) {
+    throw ImageError("its name is too long");
+  }
+  const DWORD attributes = GetFileAttributesW(place.c_str());
   if (attributes == INVALID_FILE_ATTRIBUTES) return;
   if (attributes & FILE_ATTRIBUTE_DIRECTORY) {
     throw ImageError("it is a folder");

@@ -2,8 +2,8 @@
 
 // # Stage 1: diffuse surfaces
 //
-// A room has a lamp and several walls. A pixel of the picture shows one point
-// of a wall. What color does the pixel get?
+// A room has a lamp and several walls. A pixel of the picture shows a small
+// patch of a wall. Take one point of it: what color is it?
 //
 // It gets the light that leaves this point towards the camera. The wall has
 // no light of its own, so its light came from somewhere else. Some came
@@ -27,10 +27,11 @@
 //
 // ## The rendering equation
 //
-// The amount of light along a ray is its *radiance* $L$: power per area and
-// per solid angle, in W/(m² sr). A *solid angle* measures a set of
-// directions. It is the area that they cover on a sphere of radius 1, in
-// *steradians* (sr). All of the hemisphere above a surface has $2\pi$.
+// The amount of light along a ray is its *radiance* $L$: power per solid
+// angle, and per area that is held perpendicular to the ray, in W/(m² sr). A
+// *solid angle* measures a set of directions. It is the area that they cover
+// on a sphere of radius 1, in *steradians* (sr). All of the hemisphere above
+// a surface has $2\pi$.
 //
 // The *rendering equation* says which radiance leaves $x$ towards $\omega_o$
 // (slide "Which color do we fill each pixel with?"):
@@ -52,7 +53,9 @@
 //
 // The equation holds for red, green and blue separately. So a radiance is a
 // `Vec3`, three numbers in the order RGB. The product of two `Vec3`
-// multiplies red by red, green by green and blue by blue.
+// multiplies red by red, green by green and blue by blue. A `float` times a
+// `Vec3` multiplies all three. (An `int` does not: write `2.0f`, or multiply
+// floats first.)
 //
 // ## The equation contains itself
 //
@@ -76,10 +79,10 @@
 //
 // ![](grid-or-path)
 //
-// Who makes the first ray? The core does (`common/scene/camera.hpp`). For
-// each sample it takes a random point in the pixel, and the ray from the
-// camera through that point. This chapter answers what radiance comes back
-// along it.
+// Who makes the first ray? The *core* does, the code in `common/` that is
+// given to you. The camera is in `common/scene/camera.hpp`. For each sample
+// it takes a random point in the pixel, and the ray from the camera through
+// that point. This chapter answers what radiance comes back along it.
 
 #include "common/math/basis.hpp"
 #include "common/math/random.hpp"
@@ -100,9 +103,10 @@ namespace lightwalk::stage1 {
 // 0.2, 0.2).
 //
 // Suppose the same radiance $L_i = 1$ arrives from every direction. A white
-// surface with $k_d = 1$ then sends out radiance 1 in every direction, as
-// much as arrives. With any other albedo it sends out $k_d$. Put this into
-// the equation. The constant comes out of the integral:
+// surface with $k_d = 1$ gives all power back. The light leaves equally in
+// all directions, as it has arrived. So the ratio of the radiances is that of
+// the powers, and the surface sends out $k_d$. Put this into the equation.
+// The constant comes out of the integral:
 //
 // $$k_d = \int_\Omega 1 \cdot f_r \cos\theta\,d\omega
 // = f_r \int_\Omega \cos\theta\,d\omega = f_r\,\pi$$
@@ -142,7 +146,8 @@ inline Vec3 evaluate(const Material& material) {
 // The integral is over infinitely many directions, and a ray asks only one.
 // *Monte Carlo integration* asks a few random ones and takes the mean.
 //
-// Start in one dimension. The integral of $f(x) = 2x$ from 0 to 1 is 1. Draw
+// Start in one dimension, on an interval of length 1. The integral of
+// $f(x) = 2x$ from 0 to 1 is 1. Draw
 // four uniform random numbers, say 0.1, 0.3, 0.6 and 0.9. There $f$ is 0.2,
 // 0.6, 1.2 and 1.8. The mean is 0.95, and 5 % too small. Four other numbers
 // would give another mean.
@@ -180,8 +185,9 @@ inline Vec3 evaluate(const Material& material) {
 //
 // $$\int_a^b \frac{f(x)}{p(x)}\,p(x)\,dx = \int_a^b f(x)\,dx$$
 //
-// Such an estimator is called *unbiased*. The only condition is that $p$ is
-// above 0 wherever $f$ is.
+// Such an estimator is called *unbiased*. The condition is that $p$ is above
+// 0 wherever $f$ is, for any function that has values. (A mirror has none.
+// Stage 3 will need another way.)
 //
 // Now draw $x$ with the density $p(x) = 2x$, as in the right half of the
 // figure with the four numbers. Then $f/p$ is 1 for every sample. One sample
@@ -202,11 +208,11 @@ inline Vec3 evaluate(const Material& material) {
 // A direction has two angles: $\theta$ from the normal, and $\phi$ around it.
 // A computer draws numbers $\xi$ that are uniform in $[0, 1)$.
 //
-// The obvious way is $\theta = \xi\,\pi/2$ and $\phi = 2\pi\xi$. It is wrong.
-// The ring of directions at an angle $\theta$ has the radius $\sin\theta$: it
-// is short near the normal, and long at the horizon. A uniform $\theta$ gives
-// all rings equally many directions. So they crowd around the normal, as in
-// the left column.
+// The obvious way is $\theta = \xi_1\,\pi/2$ and $\phi = 2\pi\xi_2$. It is
+// wrong. The ring of directions at an angle $\theta$ has the radius
+// $\sin\theta$: it is short near the normal, and long at the horizon. A
+// uniform $\theta$ gives all rings equally many directions. So they crowd
+// around the normal, as in the left column.
 //
 // ![](three-hemispheres)
 //
@@ -252,8 +258,8 @@ inline Vec3 evaluate(const Material& material) {
 // axis: $(\sin\theta\cos\phi, \sin\theta\sin\phi, \cos\theta)$. Then turn it.
 // `Basis(normal)` makes three perpendicular axes, the third of which is the
 // normal. Its `to_world(v)` takes the three coordinates along these axes, and
-// gives the vector in the room. `cos(phi)` and `sin(phi)` take radians, and
-// the root is `std::sqrt`.
+// gives the vector in the room. `cos(phi)` and `sin(phi)` are the core's own
+// and take radians, and the root is `std::sqrt`.
 
 // #region uniform-sampling
 /// A unit vector about `normal`, with density 1/(2 pi) per solid angle.
@@ -278,11 +284,11 @@ inline float uniform_hemisphere_pdf() {
 // ### In proportion to the cosine
 //
 // The integrand has the factor $\cos\theta$. Directions near the horizon
-// count for little, but uniform sampling takes most of its directions there:
-// half of them have a cosine below 0.5. Importance sampling draws fewer of
-// them, with a density in proportion to the cosine. Since the cosine
-// integrates to $\pi$, this density is $p(\omega) = \cos\theta/\pi$. For the
-// angles it is
+// count for little. Uniform sampling takes half of its directions where the
+// cosine is below 0.5, and a quarter of the light comes from there.
+// Importance sampling draws fewer of them, with a density in proportion to
+// the cosine. Since the cosine integrates to $\pi$, this density is
+// $p(\omega) = \cos\theta/\pi$. For the angles it is
 //
 // $$\frac{\cos\theta}{\pi}\,\sin\theta
 // = 2\sin\theta\cos\theta \cdot \frac{1}{2\pi},$$
@@ -351,7 +357,7 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 // = k_d$$
 //
 // With cosine sampling nothing random is left in the weight. Only $L_i$ is
-// still random. Nor is there a division by a $\cos\theta$ that may be 0.
+// still random. Nor is there a division by a $\cos\theta$ that is nearly 0.
 //
 // How much does that save? Think of a lamp that fills the whole hemisphere,
 // with $L_i = 1$ everywhere. With cosine sampling every sample is $k_d$, and
@@ -361,11 +367,11 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 //
 // ![](uniform-cosine)
 //
-// Try it with `--sampling uniform`, the option of the left picture. The
-// weight also shows what a uniform $\theta$ does. The mean of $\cos\theta$
-// should be 1/2, but over a uniform $\theta$ it is $2/\pi = 0.64$. The mean
-// weight is then not $k_d$ but $4 k_d/\pi = 1.27\,k_d$. More samples do not
-// help, because this is no noise.
+// When your program runs, try it with `--sampling uniform`, the option of the
+// left picture. The weight also shows what a uniform $\theta$ does. The mean
+// of $\cos\theta$ should be 1/2, but over a uniform $\theta$ it is $2/\pi =
+// 0.64$. The mean weight is then not $k_d$ but $4 k_d/\pi = 1.27\,k_d$, at
+// each bounce anew. More samples do not help, because this is no noise.
 //
 // ![](theta-uniform)
 //
@@ -435,8 +441,8 @@ inline Vec3 emitted(const Surface& surface) {
 //
 // The path begins as the camera's ray. At each surface it takes one random
 // direction and goes on; `throughput` is the product of the weights so far.
-// It starts as 1. It is the fraction of the light found here that reaches the
-// camera.
+// It starts as 1. Light that is found here is multiplied by it on its way to
+// the camera.
 //
 // The path ends
 //
@@ -450,9 +456,9 @@ inline Vec3 emitted(const Surface& surface) {
 //
 // Here is a path of the program, told by the options `--pixel` and
 // `--sample`. It meets the white floor, the red wall, and then the ceiling,
-// which is the lamp. The weights are (0.8, 0.8, 0.8) and (0.8, 0.2, 0.2).
-// Their product is what the path brings: light that has turned red at the
-// wall.
+// which is the lamp and emits (1, 1, 1). The weights are (0.8, 0.8, 0.8) and
+// (0.8, 0.2, 0.2). Their product is what the path brings: light that has
+// turned red at the wall.
 //
 // ![](followed-path)
 //
@@ -498,7 +504,8 @@ inline Vec3 emitted(const Surface& surface) {
 //
 // A *bounce* is one scattering at a surface. With `--max-bounces 0` the
 // picture shows the lamps alone, with 1 what they light directly. Each
-// further bounce adds light that was scattered once more.
+// further bounce adds light that was scattered once more. Where nothing else
+// is said, the bound is 8.
 //
 // The bound makes the picture too dark, because longer paths are missing.
 // Such an error is a *bias*, and more samples do not remove it. With
@@ -593,7 +600,8 @@ class PathTracer {
 //
 // What remains? A path finds a lamp only by chance. The ceiling is large, so
 // it is found soon. A small lamp is found by few paths, and each of these
-// brings much: the picture is dark and full of bright dots. Try
+// brings much: the picture is full of bright dots. Its mean is right, but
+// most of it is dark, since a dot cannot be shown brighter than white. Try
 // `scenes/cornell_box_sphere_lamp_diffuse.toml`. Stage 2 mends it.
 //
 // ![](small-lamp)

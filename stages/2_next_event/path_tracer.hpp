@@ -5,9 +5,9 @@
 // Stage 1 adds light only when a path happens to hit a lamp. How often does
 // that happen? The lamp of the box is a square of side 0.6 under the ceiling,
 // so its area is $A = 0.36$. The middle of the floor is $d = 1.99$ below it.
-// Seen from there, the lamp fills a solid angle of about $A/d^2$. The density
-// of a cosine-weighted direction straight up is $1/\pi$. So this direction
-// hits the lamp with the probability
+// Seen from there, the lamp fills a solid angle of about $A/d^2$. Near the
+// normal, cosine sampling has the density $1/\pi$. So a random direction hits
+// the lamp with the probability density times solid angle:
 //
 // $$\frac{1}{\pi} \cdot \frac{A}{d^2} = \frac{0.36}{\pi \cdot 1.99^2}
 // \approx 0.03$$
@@ -35,8 +35,9 @@
 // \textcolor[RGB]{58,123,200}{L_s(y, -\omega_i)}$$
 //
 // The slides give no formula for this step. An integral of a sum is a sum of
-// integrals, so put it into the rendering equation. With
-// $y = y(x, \omega_i)$, the light that $x$ scatters is
+// integrals, so put it into the rendering equation. Then the light that $x$
+// scatters is the following. In the integrals $L_e$ and $L_s$ are those of
+// $y$, towards $x$:
 //
 // $$L_s(x, \omega_o) =
 // \textcolor[RGB]{194,90,34}{\underbrace{\int_\Omega L_e\,f_r
@@ -79,8 +80,8 @@ using stage1::sample;
 // \underbrace{\frac{L_e}{p(\omega)}}_{\text{the light}}$$
 //
 // The surface knows the first two factors. The light knows the last one, and
-// this is the `weight` of its answer. It is radiance times solid angle, so
-// its unit is $\mathrm{W/m^2}$.
+// this is the `weight` of its answer. Since $1/p$ is in steradians, it is
+// radiance times solid angle, and its unit is $\mathrm{W/m^2}$.
 //
 // A `LightSample` is the answer: the weight, the direction, and the distance.
 // The shadow ray needs the distance, because what lies *behind* the light
@@ -88,8 +89,8 @@ using stage1::sample;
 //
 // An aside about `float`. A computed distance is wrong in its last digits. So
 // for a lamp with a surface, `distance` is a little more than the distance to
-// the lamp: the factor is `1 + distance_rounding`. What the shadow ray meets
-// there may be the lamp itself.
+// the lamp: the factor is `1 + distance_rounding`. That is $2^{-18}$ more, 4
+// parts in a million. What the shadow ray meets there may be the lamp itself.
 
 // #region light-sample
 struct LightSample {
@@ -124,7 +125,8 @@ inline constexpr float distance_rounding = 0x1p-18f;
 // shadow ray ends a little *before* the light. Rounding grows with the
 // coordinates too, so `distance` is reduced by `distance_rounding / 2` times
 // the sum of the distance and the light's largest coordinate,
-// `max_abs_component(light.center)`.
+// `max_abs_component(light.center)`. (Half, since the sum is twice as much
+// where both are alike.)
 
 // #region point-light
 inline LightSample sample_light(const PointLight& light, const Vec3& x,
@@ -185,10 +187,11 @@ inline LightSample sample_light(const PointLight& light, const Vec3& x,
 //
 // What the code needs: $L_e$ is `light.radiance`. The edges are
 // `light.edge_u` and `light.edge_v`. Their product `cross(edge_u, edge_v)` is
-// perpendicular to the lamp, and its length is the area $A$, also for a
+// perpendicular to the lamp. Its `length` is the area $A$, also for a
 // parallelogram. Divided by its length it is $n'$. The direction $\omega$
 // leads *to* the lamp, so $\cos\theta' = -n' \cdot \omega$. Behind the lamp
-// this is negative. The back is black, so use 0 there.
+// this is negative. The back is black, so use 0 there: `std::max(0.0f, x)`.
+// As said above, `distance` is $d$ times `1 + distance_rounding`.
 
 // #region rectangle-light
 inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
@@ -217,8 +220,8 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // same. Then the weight at $x$ stays the same, too. Let $A$ go to 0. The lamp
 // becomes a point, and the product is its intensity $I$:
 //
-// $$L_e\,\frac{A\,\cos\theta'}{d^2} \to \frac{I}{d^2}
-// \qquad \text{with } L_e\,A\,\cos\theta' \to I$$
+// $$\frac{L_e\,A}{d^2} \to \frac{I}{d^2}
+// \qquad \text{with } L_e\,A \to I$$
 //
 // In the limit, the radiance $L_e$ is infinite and the density $p(\omega)$
 // is, too. Neither is a number that a program could hold. Only their
@@ -261,8 +264,9 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // $$1 - \cos\theta = \xi_1\,(1 - \cos\theta_{max}) \qquad
 // \phi = 2\pi\,\xi_2$$
 //
-// With $\theta_{max} = 90$ degrees it is the rule of the hemisphere. The
-// cone's solid angle is $\Omega_c$, the density is one over it, and so
+// With $\theta_{max} = 90$ degrees it is the rule of the hemisphere, with $1
+// - \xi_1$ for $\xi_1$. The cone's solid angle is $\Omega_c$, the density is
+// one over it, and so
 //
 // $$\Omega_c = 2\pi\,(1 - \cos\theta_{max}) \qquad
 // \frac{L_e}{p(\omega)} = L_e\,\Omega_c$$
@@ -348,9 +352,9 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 //
 // - `scene.lights` is the list of lights, each a `Light`.
 // - `leave(hit, direction)` gives the point where a ray starts that leaves
-//   the surface in this direction. Look at all lights from one such point,
-//   `leave(surface.hit, surface.normal)`.
-// - `spawn_ray(hit, direction)` gives the ray that starts at this point.
+//   the surface in this direction. It is the same for all directions on one
+//   side. So look at all lights from `leave(surface.hit, surface.normal)`.
+// - `spawn_ray(hit, direction)` gives the ray that starts there.
 // - `scene.reaches(ray, distance, light)` is true if the ray meets nothing
 //   before `distance`, or only this light.
 // - `random.uniform_2d()` draws the two numbers for `sample_light`.
@@ -442,8 +446,8 @@ inline bool is_counted(const Surface& surface, bool direct_light_added) {
 // ## The path
 //
 // The loop is stage 1's. It has a `sum` beside the throughput, because a path
-// now adds light at each vertex and not only at its end. The new lines are
-// these:
+// now adds light at each vertex and not only at its end. The middle of the
+// loop is now this:
 //
 // 1. At an emitter, add the throughput times its emission if it is not
 //    counted yet. Then the path ends.
@@ -526,8 +530,8 @@ class PathTracer {
 //
 // Check the red channel of vertex 1 by hand, with the numbers that the
 // program prints. The lamp's normal is $(0, -1, 0)$, so $\cos\theta'$ is the
-// second coordinate of the direction, 0.8801. The lamp has $L_e = 10$ and
-// $A = 0.36$, so the weight is
+// second coordinate of the direction, 0.8801. The lamp has $L_e = (10, 9,
+// 8)$, so 10 in red, and $A = 0.36$. The weight is
 //
 // $$10 \cdot \frac{0.36 \cdot 0.8801}{2.104^2} \approx 0.716$$
 //
@@ -565,15 +569,17 @@ class PathTracer {
 // ## Stage 2 minus stage 1 is noise
 //
 // Both stages estimate the same integral. So the difference of their pictures
-// must be noise around 0, without any shape of the room. Type this, with any
+// must be noise around 0. No shape of the room may be seen, but where stage 1
+// has more noise than elsewhere, as at the lamp's edge. Type this, with any
 // scene that both can read:
 //
 //     make diff A=stage2 B=stage1 SCENE=scenes/cornell_box_lamp_diffuse.toml
 //
 // It renders both pictures and compares their means, in the whole picture and
-// in small regions. It also prints the variance of A over that of B. The same
-// test finds a mistake: count the lamp twice, and the room can be seen in the
-// difference.
+// in small regions. For each it prints $z$, the difference in standard
+// deviations, and above 4.4 it is no chance. It also prints the variance of A
+// over that of B: below 1, A has less noise. The same test finds a mistake:
+// count the lamp twice, and the room can be seen in the difference.
 //
 // ![](stage-2-minus-1)
 //
@@ -591,12 +597,15 @@ class PathTracer {
 //
 // ## What remains
 //
-// Three kinds of noise are left. The indirect light is still found by random
-// directions. At the soft edge of a shadow, the *penumbra*, only some of the
-// points on the lamp are visible. And close to a rectangle its weight has no
-// bound, because $d^2$ goes to 0: a wall that touches a lamp can have bright
-// specks. There a random direction would be the better estimator. To combine
-// the two is *multiple importance sampling* (Veach 1997, chapter 9).
+// Some noise is left. The indirect light is still found by random directions.
+// Over a lamp that is seen as a whole, the cosines and distances vary from
+// point to point. At the soft edge of a shadow, the *penumbra*, only some of
+// the points on the lamp are visible. And close to a rectangle its weight has
+// no bound, because $d^2$ goes to 0: a wall that touches a lamp can have
+// bright specks. There a random direction would be the better estimator. To
+// combine the two is *multiple importance sampling* (Veach,
+// *Robust Monte Carlo Methods for Light Transport Simulation*, 1997, chapter
+// 9).
 //
 // There is a cost, too: one shadow ray for each light at each vertex. With a
 // thousand lights one would ask a few of them, chosen at random.

@@ -84,7 +84,9 @@ using stage2::is_counted;
 //
 // The cosine under the delta cancels the cosine of the rendering equation. So
 // a mirror shows things as bright as they are, at its rim as in its middle.
-// Multiply by the cosine all the same, and mirror balls get dark rims.
+// Multiply by the cosine all the same, and mirror balls get dark rims. Draw
+// by cosine sampling with the weight $k_s$, and the ball is not a mirror at
+// all. The last picture has the wrong sign of the next section.
 //
 // ![](mirror-mistakes)
 //
@@ -96,7 +98,7 @@ using stage2::is_counted;
 //
 // $$\begin{aligned} \omega_r
 // &= (\omega_o \cdot n)\,n - \big(\omega_o - (\omega_o \cdot n)\,n\big)
-// \\ &= 2n\,(\omega_o \cdot n) - \omega_o \end{aligned}$$
+// \\ &= 2\,(\omega_o \cdot n)\,n - \omega_o \end{aligned}$$
 //
 // ![](mirror-parts)
 // The slide has $\omega_r = \omega_o - 2n\,(\omega_o \cdot n)$. There
@@ -156,8 +158,9 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 //
 // ![](snell)
 // So the path cannot leave. It goes on in the mirror direction and stays in
-// the glass: *total internal reflection*. The angle is the *critical angle*.
-// Through the cone within it, an eye in the glass sees everything outside.
+// the glass: *total internal reflection*. These 41.8 degrees are the
+// *critical angle*. Through the cone within it, an eye in the glass sees
+// everything outside.
 //
 // ![](critical-cone)
 // A tracer that ends the path there paints black glass. A ball hides it: a
@@ -168,7 +171,8 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 // `relative_eta` returns $\eta_o/\eta_i$. The shape's normal,
 // `surface.hit.normal`, points outside, where the index is 1. If `wo` is on
 // its side, the path is outside. Do not ask `surface.normal`, which is turned
-// to `wo`: every path would be outside.
+// to `wo`: every path would be outside. The index $\eta$ inside is
+// `surface.material.eta`.
 
 // #region refract
 /// The direction behind the surface that `wo` is bent to, or nothing where
@@ -198,6 +202,9 @@ inline float relative_eta(const Surface& surface) {
 }
 // #endregion refract
 
+// If the two ratios are exchanged, or if every path is outside, rays bend the
+// wrong way:
+//
 // ![](eta-mistakes)
 //
 // ## What refraction does to radiance
@@ -223,8 +230,10 @@ inline float relative_eta(const Surface& surface) {
 // \left(\frac{\eta_o}{\eta_i}\right)^2 \cos\theta_o\,d\omega_o
 // \end{aligned}$$
 //
-// The first step is stage 1's $d\omega$, the last is Snell's law squared. An
-// area of the surface passes on the power that it gets, times $k_t$: $L_o
+// The first step is stage 1's $d\omega$. The last is Snell's law squared,
+// $\sin^2\theta_i = (\eta_o/\eta_i)^2 \sin^2\theta_o$, with the same $d\phi$
+// on both sides, since nothing turns around the normal. An area of the
+// surface passes on the power that it gets, times $k_t$: $L_o
 // \cos\theta_o\,d\omega_o = k_t\,L_i \cos\theta_i\,d\omega_i$. Divide (Veach
 // 1997, section 5.2):
 //
@@ -236,12 +245,19 @@ inline float relative_eta(const Surface& surface) {
 // leave the square out, and are right for this case. Total internal
 // reflection stays on one side, so its weight is $k_t$ without the square.
 //
+// One warning for later. The square belongs to *radiance*, which a path
+// carries from the light to the camera. A program that shoots power from the
+// lamps, as photon mapping does, must leave it out (Veach 1997, chapter 5).
+//
 // ![](total-reflection)
 //
 // ## One path with numbers
 //
-// This path enters the glass ball, leaves it, and meets the floor. The ball
-// has $k_t = 0.9$ and $k_s = 0.1$, so each hit sends two rays on.
+// This stage will follow *every* lobe at each hit. So the program prints a
+// tree, and what comes by a branch is indented. The ball has $k_t = 0.9$ and
+// $k_s = 0.1$. At vertex 0 the mirrored branch has the vertices 1 to 3, left
+// out here. The refracted one goes on at vertex 4. It leaves the ball there,
+// and meets the floor at vertex 8.
 //
 //     $ build/stage3 scenes/cornell_box_point.toml --max-bounces 3
 //     > --pixel 170,200 --sample 3
@@ -269,9 +285,9 @@ inline float relative_eta(const Surface& surface) {
 //
 // At vertex 0 the dot product of `wo` and the normal is 0.8506, so
 // $\sin\theta_o = 0.526$. Snell's law divides it by 1.5: 0.351. The refracted
-// direction has $\omega_t \cdot n = -0.937$, and $0.351^2 + 0.937^2 = 1$. The
-// weight is $0.9/2.25 = 0.4$. On the way out it is $0.9 \cdot 2.25 = 2.025$,
-// and the product is 0.81.
+// direction has $\omega_t \cdot n = -0.937$, and $0.351^2 + 0.937^2 \approx
+// 1$. The weight is $0.9/2.25 = 0.4$. On the way out it is $0.9 \cdot 2.25 =
+// 2.025$, and the product is 0.81.
 //
 // The floor has $k_d = 0.8$, and the light the intensity 1. Direct light adds
 // $0.81 \cdot (0.8/\pi) \cdot 0.8195 / 1.83^2 = 0.0505$. The rest of the sum,
@@ -345,10 +361,10 @@ inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
 //
 // ![](mirrored-lamps)
 // Two things look like bugs, but are not. Under a *point* light a glass ball
-// has a black shadow. The shadow ray goes straight, and the glass stops it.
-// The real light comes bent, gathered in a bright spot, a *caustic*. But a
-// path from the floor through the ball would have to hit a point. For the
-// same reason a mirror shows no image of a point light.
+// has a shadow, as if it were opaque. The shadow ray goes straight, and the
+// glass stops it. The real light comes bent, gathered in a bright spot, a
+// *caustic*. But a path from the floor through the ball would have to hit a
+// point. For the same reason a mirror shows no image of a point light.
 //
 // ![](glass-shadow)
 // Under a lamp with an area both are there. The caustic is noisy: a diffuse
@@ -380,11 +396,11 @@ inline constexpr int most_bounces = 64;
 // #endregion branch
 
 // What does the tree cost? Let all surfaces have two lobes, and count with
-// one light and $n$ bounces. The camera's ray meets a surface, and 2, 4, 8
-// rays follow: together $1 + 2 + \dots + 2^n = 2^{n+1} - 1$. Each surface but
-// those of the last row also sends a shadow ray, $2^n - 1$ in all. The sum is
+// one light and $b$ bounces. The camera's ray meets a surface, and 2, 4, 8
+// rays follow: together $1 + 2 + \dots + 2^b = 2^{b+1} - 1$. Each surface but
+// those of the last row also sends a shadow ray, $2^b - 1$ in all. The sum is
 //
-// $$(2^{n+1} - 1) + (2^n - 1) = 3 \cdot 2^n - 2$$
+// $$(2^{b+1} - 1) + (2^b - 1) = 3 \cdot 2^b - 2$$
 //
 // ![](tree)
 // In `scenes/plastic.toml` every surface has two lobes. The program counts a
@@ -392,17 +408,19 @@ inline constexpr int most_bounces = 64;
 // horizon gets no shadow ray.
 //
 // ![](tree-counts)
-// So the bound must be low. It is at most 64, `most_bounces`, whatever is
-// asked for: a tree with two lobes would not end. Mirrors alone have one ray
-// per bounce, and lose little: with $k_s = 0.9$ only $0.9^{64} = 0.0012$ of
-// the light is left.
+// So with two lobes the bound must be low, 8 or less. Mirrors alone have one
+// ray per bounce and no such trouble. For them the bound is 64,
+// `most_bounces`, whatever is asked for. It cuts off little: with $k_s = 0.9$
+// only $0.9^{64} = 0.0012$ of the light is still on its way.
 //
 // ## The path
 //
 // One turn of stage 2's loop is one call of `follow`. The steps are the same,
-// in the same order. A bounce at a mirror counts as a bounce. The light of
-// all lights at a surface is stage 2's `direct_light(scene_, surface,
-// random)`.
+// in the same order. A bounce at a mirror counts as a bounce. Only a surface
+// whose $k_d$ is not black asks the lights, by stage 2's
+// `direct_light(scene_, surface, random)`. The rays of the lobes start by
+// `spawn_ray`, on the side of their direction. So it works behind the
+// surface, in the glass, too.
 
 // #region path
 class PathTracer {
@@ -464,7 +482,7 @@ class PathTracer {
 // ![](glass-bounces)
 // Paint `scenes/mirror_corridor.toml` with `--max-bounces 2`, `4` and `8`:
 // how many images of the lamp do you see? Paint `scenes/plastic.toml` with
-// `--spp 4` and one bounce more each time, and watch the clock.
+// `--spp 4` and `--max-bounces 1`, then 2, 3 and so on, and watch the clock.
 //
 // ![](corridor-bounces)
 // Two things remain. The rays double with each bounce, and most carry next to

@@ -46,7 +46,9 @@ using stage3::sample;
 // ![](mean-is-area)
 //
 // Forget the division. Then the mean of a bounce is $p\,A$, not $A$, and the
-// picture is too dark. Divide by something else, and it has wrong colors.
+// picture is too dark. Divide by the probability of another event, and things
+// with several lobes have wrong colors. A wall with one lobe does not show
+// it.
 //
 // ![](roulette-mistakes)
 //
@@ -60,8 +62,9 @@ using stage3::sample;
 //
 // $$1 - (p_d + p_s + p_t)$$
 //
-// One uniform random number $\xi_{RR} \in [0, 1)$ falls somewhere on the
-// bar and picks the event there.
+// One uniform random number $\xi_{RR} \in [0, 1)$ falls somewhere on the bar
+// and picks the event there. It is $\xi$ in the figures, and `xi` in the
+// code.
 //
 // ![](event-bar)
 //
@@ -83,12 +86,12 @@ using stage3::sample;
 // answers are equal, and the choice of the lobe adds no noise. So take $p$
 // in proportion to $k$: $p = c\,k$ with one constant $c$ for all three.
 //
-// **The constant.** Noise between lobes does not fix $c$; cost does. Every
-// weight is $1/c$. With a large $c$ nothing is absorbed, and the throughput
-// shrinks at each bounce. A ray with the throughput 0.01 costs as much as
-// one with 1. With a small $c$ the weights are above 1, and the few
-// survivors are noisy. With $c = 1$ the weight is 1. A dark wall ends many
-// paths, and all that go on are worth the same.
+// **The constant.** The ratio leaves $c$ open. Every weight is $1/c$. With
+// the largest $c$ that fits on the bar nothing is absorbed, and the
+// throughput shrinks at each bounce. That wastes time, since a ray with the
+// throughput 0.01 costs as much as one with 1. A small $c$ makes noise: few
+// paths survive, with weights above 1. With $c = 1$ the weight is 1. A dark
+// wall ends many paths, and all that go on are worth the same.
 //
 // ![](same-ratios)
 //
@@ -97,9 +100,9 @@ using stage3::sample;
 //
 // $$p_i = \max_{RGB} k_i$$
 //
-// Then $k_i/p_i$ is 1 in this channel and at most 1 in the others. So the
-// roulette never makes the throughput grow. The next two sections have the
-// only exceptions.
+// It is one good choice among many. Then $k_i/p_i$ is 1 in this channel and
+// at most 1 in the others. So the roulette never makes the throughput grow.
+// The next two sections have the only exceptions.
 //
 // The mean of the channels would be right, too. But a red wall with $k_d =
 // (0.8, 0.2, 0.2)$ would get $p_d = 0.4$, and the weight $0.8/0.4 = 2$ in
@@ -129,22 +132,22 @@ using stage3::sample;
 //
 // With absorption no bound on the bounces is needed, say the slides. Nearly.
 // Glass with $k_s + k_t = 1$ absorbs nothing. Light inside it may be
-// reflected totally at every bounce, forever. One such path hangs the
-// program.
+// reflected totally at every bounce, forever. Without any limit one such path
+// hangs the program.
 //
 // The cure is a limit. From bounce 16 on, the three events together get at
-// most 0.95. Then every path ends at some time. The weights grow to match,
-// $1/0.95 = 1.053$ instead of 1, so the mean stays as it is.
+// most 0.95. Then every path ends at some time. For such glass the weights
+// grow to match, $1/0.95 = 1.053$ instead of 1, so the mean stays as it is.
 //
 // Before bounce 16 the coefficients alone decide. So mirrors and glass,
 // which lose little, get no noise from the limit in most pictures.
 //
 // ![](trapped)
 //
-// How long can a path be now? Of the paths with 16 bounces, the fraction
-// $0.95^{84} = 0.013$ reaches bounce 100. That is one in 74. The renderer
-// also stops every path at bounce 4096, in case a stage has no limit. Here
-// only $0.95^{4080} < 10^{-90}$ of them would get there.
+// How long can a path be now? Of the paths with 16 bounces, at most the
+// fraction $0.95^{84} = 0.013$ reaches bounce 100. That is one in 74. The
+// renderer also stops every path at bounce 4096, in case a stage has no
+// limit. Here only $0.95^{4080} < 10^{-90}$ of them would get there.
 //
 // This path is in a ball of glass, and the camera is in it, too. It is
 // reflected 56 times and finds nothing. At bounce 16 the limit begins.
@@ -207,18 +210,19 @@ inline LobeProbabilities lobe_probabilities(const Material& material,
 // length of its piece. Where the light is absorbed, the result is
 // `std::nullopt`, an empty `std::optional`.
 //
-// The comparison is `<`, not `<=`. So a lobe with probability 0 is never
-// picked, not even by `xi` = 0, and nothing is ever divided by 0.
+// Compare `xi` with the right end of each piece, by `<` and not by `<=`. So a
+// lobe with probability 0 is never picked, not even by `xi` = 0, and nothing
+// is ever divided by 0.
 //
-// The number that picked the event must not draw the direction as it is.
-// After a diffuse event it lies below $p_d$. A direction drawn with it comes
-// from one part of the hemisphere only, and the walls are shaded wrongly.
+// Do not use the same number again to draw the direction. After a diffuse
+// event it lies below $p_d$. A direction drawn with it comes from one part of
+// the hemisphere only, and the room is shaded wrongly.
 //
 // ![](number-twice)
 //
-// There is a valid trick, though. After a diffuse event the rest of the
-// number, $\xi/p_d$, is uniform in $[0, 1)$ again. Some programs stretch it
-// like this and use it on. Here each choice draws a number of its own.
+// There is a valid trick, though. After a diffuse event $\xi/p_d$, the number
+// stretched to the full length, is uniform in $[0, 1)$ again. Some programs
+// use it on. Here each choice draws a number of its own.
 //
 // ![](rest-of-the-number)
 
@@ -265,10 +269,11 @@ inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
 //
 // ![](both-lobes)
 //
-// **The flag tells the event.** So `direct_light_added` is true after a
-// diffuse event only: a diffuse ray that hits the lamp would count the same
-// term again. If the flag is always true, lamps vanish from mirrors. If it is
-// never true, the diffuse light of lamps counts twice.
+// **The flag tells the event.** After a diffuse event `direct_light_added` is
+// true, since the shadow ray has brought this term already. After any other
+// event it is false, since nobody has asked for that term. If the flag is
+// always true, lamps vanish from mirrors. If it is never true, the diffuse
+// light of lamps counts twice.
 //
 // ![](lamp-in-plastic)
 //
@@ -320,14 +325,15 @@ inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
 //       ends       absorbed (roulette)
 //     ...
 //
-// Now write the end of the loop. Draw an event by `choose_lobe` with
+// Now write the end of the loop. Draw an event by `choose_lobe`. It takes the
+// `lobe_probabilities` of the surface's material at this `bounce`, and
 // `random.uniform()`, a new number in $[0, 1)$. If it is empty, return `sum`.
 //
 // Else `sample(lobe, surface, sampling_, random)` of stage 3 gives a
-// direction of the event's lobe. It is a `BsdfSample`, with the direction
-// `wi` and its `weight`. Multiply the throughput by the weight over the
-// probability. The next ray is `spawn_ray(*hit, next.wi)`, which starts off
-// the surface. Set the flag last.
+// direction of the event's `lobe`. It returns a `BsdfSample`, with the
+// direction `wi` and its `weight`. Multiply the throughput by the weight over
+// the probability. The next ray is that of `spawn_ray`, from the hit towards
+// `wi`, which starts off the surface. Set the flag, too.
 
 // #region path
 class PathTracer {
@@ -406,19 +412,23 @@ class PathTracer {
 // ![](equal-time)
 //
 // With one bounce both stages are about equal. With two, stage 3 is better:
-// its tree is still small, and it leaves nothing to chance. With six bounces
-// it needs 4 times as long as stage 4 for the same noise, and with eight 10
-// times. Each further bounce doubles its time.
+// its tree is still small, and which lobe is followed is not left to chance.
+// With six bounces it needs 4 times as long as stage 4 for the same noise,
+// and with eight 10 times. Each further bounce doubles its time.
 //
 // The table's last column, the light that is cut, is no noise: more samples
 // do not mend it. Six bounces cut off 5 %. Without a bound stage 4 has all.
 //
+// So one sample of the tree has little noise and costs much. At equal time
+// the noise decides:
+//
 // ![](branch-or-draw)
 //
 // Try this on the lab's box: what do the corners lack with two bounces, and
-// what does the glass ball lack? The command without a bound is
+// what does the glass ball lack?
 //
 //     build/stage4 scenes/cornell_box_ceiling.toml -o box.png
+//     build/stage4 scenes/cornell_box_ceiling.toml --max-bounces 2 -o 2.png
 //
 // ![](bound-or-none)
 //
@@ -431,8 +441,9 @@ class PathTracer {
 //
 // Where the bar was scaled, weights exceed 1. The red paint under the green
 // mirror has the weight $0.9/0.5 = 1.8$ in red, with probability 0.5. In a
-// room of this material alone each bounce would multiply the mean square of
-// red by $0.5 \cdot 1.8^2 = 1.62$, and the noise would grow with it. There it
+// room of this material alone each bounce would multiply the mean of the
+// squared throughput in red by $0.5 \cdot 1.8^2 = 1.62$. The noise grows with
+// it, since the variance is this mean less the square of the mean. There it
 // helps to take the maxima of the throughput times $k$, and not of $k$.
 //
 // And every material is still the same all over. Stage 5 changes that.

@@ -7,7 +7,7 @@
 // along it, and hardly anything if you look straight through. The rendering
 // equation has always allowed this: $f_r(x, \omega_i, \omega_o)$ depends on
 // the place $x$ and on the direction of view $\omega_o$. So before a surface
-// is used, ask for its material *here*, seen from *there*. Nothing else
+// is used, ask for its material at $x$, seen from $\omega_o$. Nothing else
 // changes.
 //
 // ![](floor)
@@ -30,29 +30,32 @@ using stage4::LobeChoice;
 
 // ## How much glass reflects
 //
-// In stage 3 glass reflected a fixed fraction at every angle. Real glass
-// reflects 4 % when you look straight at it, and everything at a grazing
-// angle. One word in the scene file asks for that (`eta` is 1.5 where
-// nothing else is said):
+// In stage 3 glass reflected a fixed fraction at every angle. The surface of
+// real glass reflects 4 % when you look straight at it, and everything at a
+// *grazing* angle, almost along the surface. One word in the scene file asks
+// for that (`eta` is 1.5 where nothing else is said):
 //
 //     fixed   = { ks = 0.1, kt = 0.9 }
 //     fresnel = { ks = 1, kt = 1, fresnel = true }
 //
-// Look at both balls before you read the caption. Which one is glass?
+// (Here $k_s + k_t$ may be 2, since Fresnel's equations will share the light
+// out between the two.) Look at both balls before you read the caption, at
+// their middle and at their rim. Which one is glass?
 //
 // ![](fresnel-or-fixed)
 //
 // How much is reflected depends on how the light swings. Light is a wave that
 // swings across its direction. The *plane of incidence* is the plane that
-// holds the ray and the normal. Light that swings square to this plane is
-// called *s-polarized*, light that swings within it *p-polarized*. Glass
+// holds the ray and the normal. Light that swings perpendicular to this plane
+// is called *s-polarized*, light that swings within it *p-polarized*. Glass
 // reflects more of the first than of the second.
 //
 // ![](polarization)
 //
 // The *Fresnel equations* give the amplitude of each after reflection, if it
-// was 1 before. They follow from Maxwell's equations (pbrt, 4th edition,
-// section 9.3.5). With the angles and indices of stage 3:
+// was 1 before. Where it is negative, the wave is turned over. They follow
+// from Maxwell's equations (pbrt, 4th edition, section 9.3.5). With the
+// angles and indices of stage 3:
 //
 // $$r_s = \frac{\eta_o\cos\theta_o - \eta_i\cos\theta_i}
 // {\eta_o\cos\theta_o + \eta_i\cos\theta_i}, \quad
@@ -72,13 +75,15 @@ using stage4::LobeChoice;
 // - Straight on, all cosines are 1. Then $F = \big(\frac{\eta_o -
 //   \eta_i}{\eta_o + \eta_i}\big)^2 = (0.5/2.5)^2 = 0.04$ for glass, from
 //   either side.
-// - At a grazing angle $\cos\theta_o$ is 0. Then $r_s$ and $r_p$ are both
-//   $-1$, and $F = 1$.
+// - At a grazing angle $\cos\theta_o$ goes to 0. Then $r_s$ and $r_p$ both go
+//   to $-1$, and $F$ to 1.
 // - Inside glass beyond 41.8 degrees there is no $\theta_i$. All is
 //   reflected: $F = 1$.
-// - $r_p$ is 0 where $\eta_i\cos\theta_o = \eta_o\cos\theta_i$. With
-//   Snell's law that is where $\theta_o + \theta_i$ is 90 degrees. So
-//   $\cos\theta_i = \sin\theta_o$, and $\tan\theta_o = \eta_i/\eta_o$.
+// - $r_p$ is 0 where $\eta_i\cos\theta_o = \eta_o\cos\theta_i$. Multiply by
+//   Snell's law, $\eta_o\sin\theta_o = \eta_i\sin\theta_i$: then
+//   $\sin 2\theta_o = \sin 2\theta_i$. So $\theta_o + \theta_i$ is 90
+//   degrees, $\cos\theta_i = \sin\theta_o$, and $\tan\theta_o =
+//   \eta_i/\eta_o$.
 //
 // The last one is *Brewster's angle*. Only s-polarized light is reflected
 // there. For glass of 1.5 it is 56.3 degrees from outside, and 33.7 from
@@ -88,7 +93,8 @@ using stage4::LobeChoice;
 // ![](fresnel-curves)
 //
 // `fresnel_reflectance` gets $\cos\theta_o$ and the ratio $\eta_o/\eta_i$
-// only. So divide both fractions above and below by $\eta_i$:
+// only. So divide both fractions above and below by $\eta_i$. In these two
+// lines $\eta$ is this ratio, `eta_ratio` in the code:
 //
 // $$r_s = \frac{\eta\cos\theta_o - \cos\theta_i}
 // {\eta\cos\theta_o + \cos\theta_i}
@@ -135,22 +141,23 @@ inline float fresnel_reflectance(float cos_o, float eta_ratio) {
 // - A *rectangle* and a *triangle* have them along their edges. Their
 //   `coordinates` returns both for a position, and is given.
 // - A *plane* has no edges. There $v$ runs up: +y on a wall, +z on a floor or
-//   a ceiling. `plane_coordinates` takes from "up" what is along the normal.
-//   Then $u = n \times v$ runs to the right for who looks at the front of the
-//   wall. (It does so because the lab's axes are left-handed: in its picture
-//   x runs to the right, y up, and z away from the eye.) One image covers
-//   one unit.
+//   a ceiling. `plane_coordinates` subtracts from "up" its part along the
+//   normal. Then $u = n \times v$ runs to the right for someone who looks at
+//   the front of the wall. (It does so because the lab's axes are
+//   left-handed: in its picture x runs to the right, y up, and z away from
+//   the eye.) One image covers one unit.
 // - A *sphere* is a globe, with its poles up and down. The longitude gives
 //   $u$, and the middle of the image looks to -z, where the lab's camera
 //   stands. The latitude gives $v$, from the south pole to the north pole.
 //
 // Write the sphere. Its unit normal $n$ is `hit.normal`. It points from the
 // center to the hit, so it does not change when the ball is moved. The
-// longitude is the angle of $(n_x, -n_z)$, `std::atan2(n.x, -n.z)`, from
-// $-\pi$ to $\pi$. It becomes $u = 0.5 + \text{longitude}/2\pi$. The angle
-// from the south pole is $\arccos(-n_y)$, and divided by $\pi$ it is $v$.
-// Rounding may make $-n_y$ slightly larger than 1, and its arccosine a NaN.
-// So clamp it: `glm::clamp(-n.y, -1.0f, 1.0f)`.
+// longitude is the angle between $n$ and -z, seen from above,
+// `std::atan2(n.x, -n.z)`, from $-\pi$ to $\pi$. It becomes $u = 0.5 +
+// \text{longitude}/2\pi$. The angle from the south pole is $\arccos(-n_y)$,
+// by `std::acos`, and divided by $\pi$ it is $v$. Rounding may make $-n_y$
+// slightly larger than 1, and its arccosine a NaN. So clamp it:
+// `glm::clamp(-n.y, -1.0f, 1.0f)`.
 //
 // The constants $\pi$ and $2\pi$ are `pi` and `two_pi`.
 
@@ -187,9 +194,7 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 }
 // #endregion texture-coordinates
 
-// A map shows at once if $u$ or $v$ is wrong. Try it: add 0.25 to $u$, and
-// say before you render which way the map turns. (Its east comes to the
-// front.)
+// A map shows at once if $u$ or $v$ is wrong:
 //
 // ![](globe-mistakes)
 //
@@ -202,8 +207,8 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 //
 // $$\Big(\frac{b/255 + 0.055}{1.055}\Big)^{2.4}$$
 //
-// and below $b = 11$ for $b/255/12.92$ (IEC 61966-2-1). So byte 188 is half
-// as bright as 255. `srgb_to_linear` has this curve.
+// If $b$ is below 11 it is $b/255/12.92$ instead (IEC 61966-2-1). So byte 188
+// is half as bright as 255. `srgb_to_linear` has this curve.
 //
 // ![](srgb-curve)
 //
@@ -237,10 +242,10 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 // on the right. The same holds for $y$, with the upper and the lower row.
 //
 // Outside of 0 to 1 the image repeats: only the fraction of $u$ and $v$
-// counts, `uv.x - std::floor(uv.x)`. This also closes the seam of the globe,
-// where $u$ jumps from 1 to 0. Over the poles the image must not repeat, or
-// the north would shine through in the south. So if `has_poles`, take $v$ as
-// it is, and clamp $y$ to the range from 0 to height - 1.
+// counts, `uv.x - std::floor(uv.x)`. Over the poles the image must not
+// repeat, or the north would shine through in the south. So if `has_poles`,
+// take $v$ as it is, and clamp $y$ to the range from 0 to height - 1 before
+// you split it.
 //
 // Write `image_color`. The size of the image in texels is `texture.width` and
 // `texture.height`. Both are `int`: convert them once, as in
@@ -250,9 +255,10 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 //
 // `texel(texture, column, row)` is given. It returns the decoded color, and
 // repeats columns and rows by itself: one column beyond the last is the
-// first. (At a pole the row beyond the last has the weight 0.) `glm::mix(a,
-// b, weight)` is $a$ where the weight is 0, and $b$ where it is 1. You need
-// it three times.
+// first. This closes the seam of the globe, where $u$ jumps from 1 to 0. (At
+// a pole the row beyond the last has the weight 0.) `glm::mix(a, b, weight)`
+// is $a$ where the weight is 0, and $b$ where it is 1. You need it three
+// times.
 
 // #region image
 /// The texel's color, linear, 0 to 1. Columns and rows repeat.
@@ -302,12 +308,13 @@ inline Vec3 image_color(const Texture& texture, const Vec2& uv,
 //
 // Left of 0 the numbers are negative. A cast to `int` would round -0.5 up to
 // 0, and in C++ `-3 % 2` is -1. So use `glm::floor`, and call a sum $s$ odd
-// if $s - 2\lfloor s/2 \rfloor$ is not 0.
+// if $s - 2\lfloor s/2 \rfloor$ is not 0. And it must be the sum: with one
+// coordinate there are stripes.
 //
 // ![](checker-mistakes)
 //
-// On a ball such squares become narrow at the poles, as on a map. A ball that
-// is carved from a block of cubes has no poles:
+// On a ball such squares become narrow at the poles, as on a globe. A ball
+// that is carved from a block of cubes has no poles:
 //
 //     cubes = { kd = { checker = [0.8, 0.2], scale = 10,
 //                      over = "position" } }
@@ -315,23 +322,28 @@ inline Vec3 image_color(const Texture& texture, const Vec2& uv,
 // Now $x$, $y$ and $z$ of the hit are counted, and the sum has three numbers.
 // This is why `is_odd` takes a `Vec3`. For squares the third number is 0.
 //
-// One trap is left. A floor at $y = -1$ lies just between two layers of
-// cubes. Rounding moves some hits into the upper layer and some into the
-// lower one, which has the other color. So `coefficient_at` reads the cube a
-// little below the surface.
-//
 // ![](over-position)
 //
-// The last pattern depends on the view. A varnished table is bright if you
-// look along it:
+// One trap is left. A floor at $y = -1$ lies exactly on the border of two
+// layers of cubes. Rounding moves some hits into the upper layer and some
+// into the lower one, which has the other color. So `coefficient_at` reads
+// the cube a little below the surface.
 //
-//     satin = { kd = 0.3, ks = { schlick = [0.04, 0.6] } }
+// The last pattern depends on the view. A table with a coat of varnish is
+// bright if you look along it:
+//
+//     varnish = { kd = 0.3, ks = { schlick = [0.04, 0.6] } }
 //
 // *Schlick's approximation* goes from the color $k_0$ that is seen straight
-// on to the color $k_{90}$ at grazing angles ("An Inexpensive BRDF Model",
-// Computer Graphics Forum 13(3), 1994):
+// on to 1 at grazing angles ("An Inexpensive BRDF Model for Physically-based
+// Rendering", Computer Graphics Forum 13(3), 1994). Here any color $k_{90}$
+// may stand for the 1:
 //
 // $$k(\theta) = k_0 + (k_{90} - k_0)(1 - \cos\theta)^5$$
+//
+// Here $\theta$ is the angle of $\omega_o$. So use it for $k_s$: a $k_d$ that
+// depends on one of the two directions alone breaks Helmholtz *reciprocity*.
+// It demands that light may be sent backwards on the same way.
 //
 // With $k_0 = 0.04$ and $k_{90} = 1$ it is close to the $F$ of glass, seen
 // from outside. It needs two colors, and no index. That helps most with
@@ -343,10 +355,11 @@ inline Vec3 image_color(const Texture& texture, const Vec2& uv,
 //
 // ![](schlick-curves)
 //
-// Write `is_odd` and `schlick`. The stage does not use `schlick` for glass.
+// Write `is_odd` and `schlick`, where $k_0$ is `squarely` and $k_{90}$ is
+// `grazing`. The stage does not use `schlick` for glass.
 
 // #region patterns
-/// Whether the square or cube with these coordinates is an odd one.
+/// Whether the square or cube that the point `x` lies in is an odd one.
 inline bool is_odd(const Vec3& x) {
   // #region exercise 5.4: checkerboards
   // #stub return false;
@@ -418,8 +431,9 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
 //
 // - Vertex 0: $F$ is 0.050. The event was refraction, and its probability was
 //   $1 - F$. Of the weight $(1 - F)/2.25$ only $1/2.25 = 0.444$ is left.
-// - Vertex 1: the path leaves the glass. $F$ is 0.050 again, because it is
-//   the same for both directions of one ray. The weight is 2.25.
+// - Vertex 1: the path leaves the glass. In a ball it meets the wall at the
+//   angle that it was bent to. $F$ is the same for both directions of one
+//   ray, so it is 0.050 again. The weight is 2.25.
 // - Vertex 2: the throughput is 1. The path counts in full, as if there were
 //   no glass. It goes on to the lamp, and brings 1.
 //
@@ -448,7 +462,8 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
 //     ...
 //     radiance of this sample = (1.000, 1.000, 1.000)
 //
-// Another sample of the same pixel is one of the 5 in 100 that are reflected.
+// Another sample of the same pixel meets the ball at another point, a little
+// beside. It is one of the 5 in 100 that are reflected.
 // Its probability was $F$, its weight is $F/F = 1$. It counts in full, too,
 // and sees the red wall.
 //
@@ -469,10 +484,10 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
 // was split, and none was made darker. That is why stage 4 came first.
 //
 // Write `material_at`. The patterns come first, so that $F$ shares out what
-// they say. `Surface(hit, m, wo)` is the surface as it is seen from `wo`: its
-// `normal` is on the side of `wo`. `relative_eta` of stage 3 takes it, and
-// returns $\eta_o/\eta_i$. Then `dot(surface.normal, wo)` is
-// $\cos\theta_o$, which is never negative.
+// they say. With your copy `m`, `Surface(hit, m, wo)` is the surface as it is
+// seen from `wo`: its `normal` is on the side of `wo`. `relative_eta` of
+// stage 3 takes it, and returns $\eta_o/\eta_i$. Then `dot(surface.normal,
+// wo)` is $\cos\theta_o$, which is never negative.
 
 // #region material-at
 /// The material with the coefficients that it has at `hit`, seen from `wo`.
@@ -563,15 +578,17 @@ class PathTracer {
 //     build/stage5 scenes/textured_globe.toml -o globe.png
 //     build/stage5 scenes/fresnel_glass.toml -o glass.png
 //
-// Then take the lab's box, `scenes/cornell_box_ceiling.toml`, and give its
-// glass `ks = 1`, `kt = 1` and `fresnel = true`. Which parts of the ball
-// become darker, and which brighter?
+// Add 0.25 to the globe's $u$, and say before you render which way the map
+// turns. (Its east comes to the front.) Then take a room with a glass ball,
+// and give its glass `ks = 1`, `kt = 1` and `fresnel = true`. Which parts of
+// the ball become darker, and which brighter?
 //
 // ![](lab-glass)
 //
 // What remains? Rough metals and cloth need lobes that are neither diffuse
 // nor a delta. Fog scatters light between the surfaces. Many lights need a
-// choice among them. All of these are new ways to draw a direction and to
-// divide by its density. You can read about them now.
+// choice among them. All of these are new things to draw at random, a
+// direction, a distance or a light, and to divide by their density. You can
+// read about them now.
 //
 }  // namespace lightwalk::stage5

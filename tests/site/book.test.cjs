@@ -46,8 +46,8 @@ test("the search finds a word", async () => {
   await page.keyboard.press("/");
   await page.keyboard.type("roulette");
   await page.keyboard.press("Enter");
-  await page.waitForSelector("#search-results li a");
-  const found = await page.locator("#search-results li a").allTextContents();
+  await page.waitForSelector("#search-found li a");
+  const found = await page.locator("#search-found li a").allTextContents();
   assert.ok(found.some((title) => /Russian roulette/.test(title)), `${found}`);
   assert.deepEqual(page.complaints, []);
   assert.deepEqual(page.requests, []);
@@ -210,5 +210,91 @@ test("a chapter prints to PDF", async () => {
   await page.goto(url("book/stages/3_specular_refraction.html"));
   const pdf = await page.pdf({ preferCSSPageSize: true });
   assert.ok(pdf.length > 50_000, `only ${pdf.length} bytes`);
+  await page.close();
+});
+
+test("the search finds words of prose and of code, with what stands around", async () => {
+  const page = await watched(browser);
+  const find = async (words) => {
+    await page.goto(`${url("book/search.html")}?q=${encodeURIComponent(words)}`);
+    await page.waitForSelector("#search-found li");
+    return page.$$eval("#search-found li", (items) =>
+      items.map((item) => [item.querySelector("a").href, item.innerText]));
+  };
+  const [first, said] = (await find("critical angle"))[0];
+  assert.match(first, /stages\/[35]_.*#/);
+  assert.match(said, /critical angle/i);
+  const [code] = (await find("lobe_probabilities"))[0];
+  assert.match(code, /4_russian_roulette\.html#/);
+  assert.match((await find("bounding volume hierarchy"))[0][0], /core\//);
+  await page.goto(`${url("book/search.html")}?q=qwertyuiop`);
+  await page.waitForFunction(() => /no page/.test(document.getElementById("search-summary").innerText));
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test("a name in a listing leads to the line that defines it", async () => {
+  const page = await watched(browser);
+  await page.goto(url("book/stages/4_russian_roulette.html"));
+  const links = await page.$$eval(".highlight a.n", (all) => all.map((link) => [link.innerText, link.href]));
+  const place = Object.fromEntries(links);
+  assert.match(place.direct_light, /2_next_event\.html#L\d+/);
+  assert.match(place.spawn_ray, /core\/geometry\/ray\.html#L\d+/);
+  for (const [name, href] of links) {
+    await page.goto(href);
+    const line = await page.evaluate(() => {
+      const number = document.getElementById(location.hash.slice(1));
+      let text = "";
+      for (let node = number?.nextSibling; node && !/\n/.test(text); node = node.nextSibling) text += node.textContent;
+      return text;
+    });
+    assert.match(line, new RegExp(`\\b${name}\\b`), href);
+  }
+  await page.close();
+});
+
+test("formulas are there without JavaScript", async () => {
+  const context = await browser.newContext({ javaScriptEnabled: false });
+  const page = await context.newPage();
+  await page.goto(url("book/stages/2_next_event.html"));
+  const sizes = await page.locator(".math svg").evaluateAll((all) => all.map((one) => one.getBoundingClientRect().width))
+    .catch(() => null);
+  const count = sizes ? sizes.filter((width) => width > 3).length : await page.locator(".math svg").count();
+  assert.ok(count > 100, `${count} formulas`);
+  await context.close();
+});
+
+test("a figure opens large, and two of its pictures are compared", async () => {
+  const page = await watched(browser, { viewport: { width: 1280, height: 900 } });
+  await page.goto(url("book/stages/2_next_event.html"));
+  const figure = page.locator(".figure", { has: page.locator(".compare-button") }).first();
+  await figure.locator(".compare-button").focus();
+  await page.keyboard.press("Enter");
+  const dialog = page.locator("dialog.viewer");
+  assert.ok(await dialog.isVisible());
+  const shown = () => page.$eval(".viewer-stage", (stage) => getComputedStyle(stage.querySelector(".over")).clipPath);
+  const before = await shown();
+  await page.keyboard.press("ArrowRight"); // the edge has the focus
+  assert.notEqual(await shown(), before);
+  await dialog.locator("input[type=checkbox]").check();
+  assert.equal(await page.$eval(".viewer .over", (image) => getComputedStyle(image).mixBlendMode), "difference");
+  const [left, right] = await page.$$eval(".viewer-stage img", (images) => images.map((image) => image.src));
+  assert.notEqual(left, right);
+  await page.keyboard.press("Escape");
+  assert.ok(!(await dialog.isVisible()));
+  await figure.locator(".panel img").first().click();
+  assert.ok(await dialog.isVisible());
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test("the fonts are the book's own", async () => {
+  const page = await watched(browser);
+  await page.goto(url("book/stages/1_diffuse.html"));
+  await page.evaluate(() => document.fonts.ready);
+  const loaded = await page.evaluate(() =>
+    [...document.fonts].filter((font) => font.status === "loaded").map((font) => font.family.replace(/"/g, "")));
+  for (const family of ["Source Serif 4 Variable", "JetBrains Mono Variable"]) assert.ok(loaded.includes(family), `${loaded}`);
+  assert.equal(await page.$eval(".highlight pre", (pre) => getComputedStyle(pre).fontSize), "14px");
   await page.close();
 });

@@ -1,11 +1,21 @@
 // The slides, as a lecture hall meets them.
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
+const zlib = require("node:zlib");
 const { after, before, test } = require("node:test");
 const { build, files, launch, root, url, watched } = require("./browser.cjs");
 
 const screen = { width: 1280, height: 720 };
 const decks = files("slides", ".html").filter((name) => /\d_\w+\.html/.test(name));
+
+/** A stream's text, or "" where it is none. */
+function inflated(bytes) {
+  try {
+    return zlib.inflateSync(bytes, { finishFlush: zlib.constants.Z_SYNC_FLUSH }).toString("latin1");
+  } catch {
+    return "";
+  }
+}
 
 let browser;
 before(async () => (browser = await launch()));
@@ -32,19 +42,69 @@ for (const deck of decks) {
         const top = slide.querySelector("footer").getBoundingClientRect().top;
         const bottom = top > 0 ? top + 1 : edge.bottom - 20;
         return [...slide.querySelectorAll("*")]
-          .filter((e) => !e.closest("footer, mjx-assistive-mml, defs"))
+          .filter((e) => !e.closest("footer, .links, mjx-assistive-mml, defs"))
           .filter((e) => {
             const box = e.getBoundingClientRect();
             return box.width > 0 && (box.left < edge.left - 1 ||
               box.right > edge.right - 20 || box.bottom > bottom ||
               (e.matches("pre") && e.scrollWidth > e.clientWidth + 1));
           })
-          .map((e) => e.textContent.trim().slice(0, 40) || e.outerHTML);
+          .map((e) => (e.textContent.trim() || e.outerHTML).slice(0, 60));
       }, number);
       assert.deepEqual(outside, [], `slide ${number}`);
     }
     assert.deepEqual(page.complaints, []);
     assert.deepEqual(page.requests, []);
+    await page.close();
+  });
+
+  test(`${deck}: what stands in a drawing can be read from the last row`, async () => {
+    const page = await watched(browser, { viewport: screen });
+    await page.goto(url(deck));
+    const drawings = await page.evaluate(() =>
+      [...document.querySelectorAll("section[id]")].flatMap((slide) =>
+        [...slide.querySelectorAll("img[src$='.svg']")].map((image) => ({
+          slide: slide.id, name: image.getAttribute("src"),
+          width: image.clientWidth, height: image.clientHeight }))));
+    for (const { slide, name, width, height } of drawings) {
+      const svg = fs.readFileSync(`${build}/slides/${name}`, "utf8");
+      const [, w, h] = svg.match(/viewBox="0 0 (\d+) (\d+)"/);
+      const sizes = [...svg.matchAll(/<text [^>]*font-size="([\d.]+)/g)];
+      const least = Math.min(...sizes.map((size) => +size[1])) * Math.min(width / w, height / h);
+      assert.ok(least >= 20, `slide ${slide}: ${name} has letters of ${least.toFixed(1)} px`);
+    }
+    await page.close();
+  });
+
+  test(`${deck}: a question stands alone before its answer`, async () => {
+    const page = await watched(browser, { viewport: screen });
+    await page.goto(url(deck));
+    const shown = await page.evaluate(() =>
+      [...document.querySelectorAll("section.trap")].flatMap((slide) =>
+        [...slide.querySelectorAll("li, img, pre, table, mjx-container[display]")]
+          .filter((e) => !e.closest("h2, [data-marpit-fragment], [data-bespoke-marp-fragment]"))
+          .filter((e) => !e.closest(".figure")?.querySelector("[data-marpit-fragment]"))
+          .map((e) => `${slide.id}: ${e.textContent.trim().slice(0, 40) || e.outerHTML.slice(0, 60)}`)));
+    assert.deepEqual(shown, []);
+    await page.close();
+  });
+
+  test(`${deck}: links lead into the book, and keep clear of the footer`, async () => {
+    const page = await watched(browser, { viewport: screen });
+    await page.goto(url(deck));
+    const links = await page.locator("section a[href]").evaluateAll((all) =>
+      all.map((a) => a.getAttribute("href")).filter((to) => to.startsWith("../")));
+    assert.ok(links.length > 0);
+    for (const link of links) {
+      const [file, id] = link.split("#");
+      const text = fs.readFileSync(`${build}/slides/${file}`, "utf8");
+      assert.ok(!id || text.includes(`id="${id}"`), link);
+    }
+    const crossed = await page.evaluate(() =>
+      [...document.querySelectorAll(".links")].filter((line) =>
+        line.offsetLeft < line.closest("section").querySelector("footer").offsetLeft + 420)
+        .map((line) => line.textContent));
+    assert.deepEqual(crossed, []);
     await page.close();
   });
 
@@ -76,6 +136,10 @@ for (const deck of decks) {
   test(`${deck}: there is a PDF`, () => {
     const pdf = fs.readFileSync(`${build}/${deck.replace("html", "pdf")}`);
     assert.equal(pdf.subarray(0, 5).toString(), "%PDF-");
+    for (const part of pdf.toString("latin1").split(/stream\r?\n/).slice(1)) {
+      const said = inflated(Buffer.from(part, "latin1"));
+      assert.ok(!said.includes("file://"), "a link to this machine");
+    }
   });
 }
 
@@ -102,5 +166,30 @@ test("the list of decks leads to each of them", async () => {
     assert.ok(fs.existsSync(`${build}/slides/${link}`), link);
   }
   for (const deck of decks) assert.ok(links.includes(deck.slice(7)), deck);
+  await page.close();
+});
+
+test("the plans add up to the notes", async () => {
+  const page = await watched(browser);
+  await page.goto(url("slides/index.html"));
+  const minutes = (table) => page.locator(`${table} td:last-child`).allTextContents()
+    .then((cells) => cells.map((cell) => parseFloat(cell)));
+  const sum = (numbers) => numbers.reduce((a, b) => a + b, 0);
+  const [one, two, five] = await page.locator("table.plan").all();
+  const takes = async (plan) => sum((await plan.locator("td:last-child").allTextContents()).map(parseFloat));
+  const all = sum(await minutes("main > .wide:first-of-type table"));
+  assert.equal(await takes(five), all);
+  assert.ok((await takes(one)) < (await takes(two)));
+  assert.ok((await takes(two)) < all);
+  await page.close();
+});
+
+test("a chapter leads to its deck", async () => {
+  const page = await watched(browser);
+  for (const deck of decks.slice(1)) {
+    await page.goto(url(deck.replace("slides/", "book/stages/")));
+    await page.locator("p.deck a").click();
+    assert.ok(page.url().endsWith(deck), page.url());
+  }
   await page.close();
 });

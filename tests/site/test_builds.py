@@ -3,6 +3,7 @@ put into a copy of the sources, and the build must say it in one line."""
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,7 @@ import unittest
 from xml.etree import ElementTree
 
 from compare.stages import BUILD, ROOT, built_stages
+from tests.mistakes.mistakes import read_mistakes
 
 SOURCES = ["common", "compare", "scenes", "slides", "stages", "tests/mistakes", "tools"]
 SOURCES += [f"tests/{name.replace('_tests', '')}" for name in built_stages()]
@@ -77,8 +79,8 @@ class Book(Copy):
         self.assert_refused("book", "figure 'six-stages' is not in figures")
 
     def test_a_figure_that_no_script_makes_live(self):
-        self.change("tools/weave/figures.toml", 'live = "snell"', 'live = "cube"')
-        self.assert_refused("book", "snell: no script makes 'cube' live")
+        self.change("tools/book/live/snell.js", 'live("snell"', 'live("snail"')
+        self.assert_refused("book", "snell is live, and no script says how")
 
     def test_without_a_compiler_for_webassembly_the_box_stays_still(self):
         os.environ["WASM_CXX"] = "no-such-compiler"
@@ -89,10 +91,8 @@ class Book(Copy):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
         self.assertIn("tools/setup.sh live", run.stderr)
-        script = (static / "live.js").read_text()
-        self.assertIn("live.figures.snell =", script)
-        self.assertNotIn("live.figures.box =", script)
-        self.assertFalse((static / "live-box.js").exists())
+        self.assertEqual((static / "lab.js").read_text(), "")
+        self.assertFalse((static / "lab-module.js").exists())
 
     def test_a_figure_of_a_chapter_that_nobody_makes(self):
         self.change(STAGE1, "![](hemisphere)", "![](hemispheres)")
@@ -367,6 +367,40 @@ class Mistaken(Copy):
         self.assertEqual((self.root / "a.png").read_bytes(), (folder / "lamp-mistakes-2.png").read_bytes())
 
 
+class Gallery(Copy):
+    """The page of mistakes."""
+
+    GALLERY = "tools/book/gallery.toml"
+
+    def test_every_mistake_has_its_place(self):
+        self.assertEqual(self.run_tool("book.build", "--check").returncode, 0)
+        page = (self.build / "book-source/mistakes.md").read_text()
+        places = re.findall(r'\bid="([\w-]+)"', page) + re.findall(r"^\(([\w-]+)\)=$", page, re.M)
+        self.assertEqual(len(places), len(set(places)))
+        for path in sorted((ROOT / "tests/mistakes").glob("stage*.toml")):
+            for mistake in read_mistakes(path):
+                self.assertIn(mistake.name, places)
+                self.assertIn(f"stage{mistake.stage}-{mistake.name}", places)
+
+    def test_a_picture_of_a_mistake_that_nobody_knows(self):
+        self.change(self.GALLERY, 'name = "cosine-twice"', 'name = "cosine-thrice"')
+        self.assert_refused("book", "gallery.toml: stage 1 has no mistake called 'cosine-thrice'")
+
+    def test_a_picture_of_what_is_no_mistake(self):
+        self.change(self.GALLERY, 'name = "cosine-twice"', 'name = "acos-sqrt-xi"')
+        self.assert_refused("book", "gallery.toml: stage 1 has no mistake called 'acos-sqrt-xi'")
+
+    def test_a_variant_of_which_nobody_says_why_it_is_right(self):
+        self.change(self.GALLERY, "two-numbers-for-a-pair = ", "three-numbers = ")
+        self.assert_refused("book", "gallery.toml: 'three-numbers' is no variant that must pass")
+
+    def test_a_pair_of_unlike_exposures(self):
+        self.change(
+            self.GALLERY, "--max-bounces 2 --exposure -1.5", "--max-bounces 2 --tone-map equalize,gamma"
+        )
+        self.assert_refused("book", "equalize gives each panel an exposure of its own")
+
+
 class Drawings(Copy):
     """What is drawn, for light pages and dark ones."""
 
@@ -498,6 +532,29 @@ class Slides(Copy):
     def test_notes_that_marp_would_take_for_settings(self):
         self.change("slides/2_next_event.md", "The only light that", "Note: the only light that")
         self.assert_refused("slides", "a colon in notes")
+
+    def test_a_line_of_the_course_that_is_empty_is_left_out(self):
+        self.change("slides/course.toml", '"Last day" = "fill in slides/course.toml"', '"Last day" = ""')
+        self.assertEqual(self.run_tool("slides.build", "--check").returncode, 0)
+        deck = (self.build / "slides-source/0_recap.md").read_text()
+        self.assertNotIn("Last day", deck)
+        self.assertIn("Recommended deadline", deck)
+
+    def test_a_line_of_the_course_that_is_no_text(self):
+        self.change("slides/course.toml", '"Last day" = "fill in slides/course.toml"', '"Last day" = 11')
+        self.assert_refused("slides", 'slides/course.toml: "Last day" is a text in quotes')
+
+    def test_a_file_of_the_course_that_is_broken(self):
+        self.change("slides/course.toml", '"Last day" = ', '"Last day" ')
+        self.assert_refused("slides", "slides/course.toml: ", "line")
+
+    def test_a_plan_that_skips_a_slide_that_there_is_not(self):
+        self.change("slides/plans.toml", '"Random numbers"', '"Random digits"')
+        self.assert_refused("slides", "plans.toml: 'Two sessions', session 1: no slide", "'Random digits'")
+
+    def test_a_session_that_takes_too_long(self):
+        self.change("slides/plans.toml", "minutes = 90", "minutes = 60")
+        self.assert_refused("slides", "'Five sessions', session 1: takes", "not 60")
 
 
 class Coverage(Copy):

@@ -125,6 +125,80 @@ TEST_CASE("the direction to a lamp's point has unit length and leads there") {
   }
 }
 
+TEST_CASE("the way to a point light is a unit vector that ends before it") {
+  const Vec3 x(0.5f, -1, 2);
+  for (const Vec3& center : {Vec3(3, 4, 0), Vec3(0.5f, -0.9f, 2),
+                             Vec3(0, 0, -300), Vec3(1000, 2000, 2)}) {
+    const LightSample one =
+        sample_light(PointLight{center, Vec3(1)}, x, Vec2(0.5f));
+    const float distance = length(center - x);
+    INFO("a light at ", center, ", seen from ", x, ", is ", distance,
+         " away; its answer has the direction ", one.direction,
+         " and the distance ", one.distance);
+    CHECK(length(one.direction - (center - x) / distance) < 1e-5f);
+    // Rounding is in proportion to the coordinates, and so is the margin.
+    const float size = distance + max_abs_component(center);
+    CHECK(one.distance < distance - 1e-7f * size);
+    CHECK(one.distance > distance - 1e-5f * size);
+  }
+}
+
+/// The solid angle of a triangle seen from x (Van Oosterom and Strackee 1983).
+double solid_angle(const Vec3& x, const Vec3& p, const Vec3& q,
+                   const Vec3& r) {
+  const DoubleVec3 a = normalize(DoubleVec3(p) - DoubleVec3(x));
+  const DoubleVec3 b = normalize(DoubleVec3(q) - DoubleVec3(x));
+  const DoubleVec3 c = normalize(DoubleVec3(r) - DoubleVec3(x));
+  const double volume = std::abs(dot(a, cross(b, c)));
+  return 2 * std::atan2(volume, 1 + dot(a, b) + dot(b, c) + dot(c, a));
+}
+
+/// The mean weight of a lamp's answers at x, in the first channel.
+template <class Lamp>
+Pixel weights_at(const Lamp& lamp, const Vec3& x) {
+  Random random(9, 0, 0);
+  Pixel weights;
+  for (int i = 0; i < samples; ++i) {
+    weights.add(sample_light(lamp, x, random.uniform_2d()).weight);
+  }
+  return weights;
+}
+
+// L_e / p in the mean is L_e times the solid angle, however points are chosen.
+TEST_CASE("a rectangle's answers are worth L_e times its solid angle") {
+  const Vec3& a = slanted.corner;
+  const Vec3 b = a + slanted.edge_u, c = b + slanted.edge_v,
+             d = a + slanted.edge_v;
+  const Vec3 normal = normalize(cross(slanted.edge_u, slanted.edge_v));
+  for (const Vec3& off : {Vec3(0.2f, 0, 0), Vec3(3, -2, 1), Vec3(-8, 1, 5)}) {
+    Vec3 x = a + off;
+    if (dot(x - a, normal) < 0) x -= 2 * dot(x - a, normal) * normal;
+    x += 0.5f * normal;
+    INFO("seen from ", x);
+    check_mean("L_e A cos'/d^2 in the mean, L_e = 4", weights_at(slanted, x),
+               0, 4 * (solid_angle(x, a, b, c) + solid_angle(x, a, c, d)));
+    const Vec3 behind = x - 2 * dot(x - a, normal) * normal;
+    const Pixel back = weights_at(slanted, behind);
+    INFO("behind the lamp, where it is black, the mean weight is ",
+         back.mean[0], ", expected 0");
+    CHECK(back.mean[0] == 0);
+    CHECK(back.variance(0) == 0);
+  }
+}
+
+// 2 pi (1 - cos) of the cone with the sine r/d: for small r/d, pi (r/d)^2.
+TEST_CASE("a sphere's answers are worth L_e times its solid angle") {
+  for (const float distance : {1.1f, 2.0f, 30.0f, 3000.0f, 1e5f}) {
+    const SphereLight ball{{0, distance, 0}, 1, Vec3(4)};
+    const double s = 1 / (static_cast<double>(distance) * distance);
+    INFO("a ball of radius 1 at the distance ", distance, ": (r/d)^2 is ", s);
+    const double expected =
+        4 * 2 * std::numbers::pi * s / (1 + std::sqrt(1 - s));
+    check_mean("L_e times the cone's solid angle, L_e = 4",
+               weights_at(ball, Vec3(0)), 0, expected, 1e-5);
+  }
+}
+
 // I/d^2, and no 4 pi: the lab calls the intensity the light's power.
 TEST_CASE("a point light gives I/d^2 to what faces it") {
   const Vec3 x(1, 2, 2);  // 3 from the origin, and 6 from (5, 6, 4)

@@ -7,6 +7,7 @@
 #include "support/bright_and_dim.hpp"
 #include "support/covered_sky.hpp"
 #include "support/gathered_light.hpp"
+#include "support/half_hidden_lamp.hpp"
 #include "support/lamps_and_glass.hpp"
 #include "support/unlike_lights.hpp"
 
@@ -30,6 +31,10 @@ TEST_CASE("what was gathered is kept when the throughput is black") {
 
 TEST_CASE("what was gathered is kept when a path leaves the scene") {
   check_kept_when_a_path_leaves<PathTracer>();
+}
+
+TEST_CASE("a lamp that was asked and hidden does not count when found") {
+  check_half_hidden_lamp<PathTracer>();
 }
 
 TEST_CASE("two unlike lights of each type give what each of them gives") {

@@ -71,14 +71,20 @@ TEST_CASE("Snell's law, into glass and out of it") {
     double from, to;
     float eta_ratio;
   };
-  const Case cases[] = {{0, 0, 1 / 1.5f},          {30, 19.471221, 1 / 1.5f},
-                        {60, 35.264390, 1 / 1.5f}, {30, 48.590378, 1.5f},
-                        {19.471221, 30, 1.5f},     {45, 45, 1}};
+  const Case cases[] = {{30, 19.471221, 1 / 1.5f},
+                        {60, 35.264390, 1 / 1.5f},
+                        {30, 48.590378, 1.5f},
+                        {19.471221, 30, 1.5f},
+                        {45, 45, 1},
+                        {0, 0, 1 / 1.5f}};
   for (const Case& one : cases) {
     INFO("theta_o = ", one.from, " degrees, eta_o/eta_i = ", one.eta_ratio,
          ", expected theta_i = ", one.to);
     const auto wi = refract(at_angle(one.from), up, one.eta_ratio);
     REQUIRE(wi.has_value());
+    REQUIRE_MESSAGE(dot(*wi, up) < 0, "wi = ", *wi, " for the normal ", up,
+                    ": n . wi is ", dot(*wi, up),
+                    ", expected below 0, for wi leads behind the surface");
     check_value(
         "sin theta_i = eta_o/eta_i sin theta_o: theta_i in degrees "
         "for theta_o = " +
@@ -134,15 +140,20 @@ Hit hit_on(const Material& material) {
 }  // namespace
 
 TEST_CASE("eta is 1 outside, where the shape's normal points") {
-  Material glass;
-  glass.eta = 1.5f;
-  const Hit hit = hit_on(glass);
-  const Surface outside(hit, glass, at_angle(20));
-  const Surface inside(hit, glass, -at_angle(20));
-  check_value("eta_o/eta_i with wo outside glass of 1.5",
-              static_cast<double>(relative_eta(outside)), 1 / 1.5);
-  check_value("eta_o/eta_i with wo inside glass of 1.5",
-              static_cast<double>(relative_eta(inside)), 1.5);
+  for (const float eta : {1.5f, 1.25f, 2.0f}) {
+    Material glass;
+    glass.eta = eta;
+    const Hit hit = hit_on(glass);
+    const Surface outside(hit, glass, at_angle(20));
+    const Surface inside(hit, glass, -at_angle(20));
+    const std::string of = " glass of " + text_of(static_cast<double>(eta));
+    check_value("eta_o/eta_i with wo outside" + of,
+                static_cast<double>(relative_eta(outside)),
+                1 / static_cast<double>(eta));
+    check_value("eta_o/eta_i with wo inside" + of,
+                static_cast<double>(relative_eta(inside)),
+                static_cast<double>(eta));
+  }
 }
 
 TEST_CASE("the lobe of refraction bends wo about the normal on its side") {

@@ -7,6 +7,7 @@
 #include "support/bright_and_dim.hpp"
 #include "support/covered_sky.hpp"
 #include "support/gathered_light.hpp"
+#include "support/half_hidden_lamp.hpp"
 #include "support/lamps_and_glass.hpp"
 #include "support/lights_by_lobe.hpp"
 #include "support/unlike_lights.hpp"
@@ -46,6 +47,10 @@ TEST_CASE(
 
 TEST_CASE("a point light lights the diffuse lobe alone") {
   check_point_light_lights_one_lobe<PathTracer>();
+}
+
+TEST_CASE("a lamp that was asked and hidden does not count when found") {
+  check_half_hidden_lamp<PathTracer>();
 }
 
 TEST_CASE("two unlike lights of each type give what each of them gives") {

@@ -150,6 +150,18 @@ TEST_CASE("each lobe keeps its color, whichever event is drawn") {
   }
 }
 
+// From glass one looks out at a wall of radiance 1: 1.5^2 times kt. The weight
+// of refraction is not its coefficient alone.
+TEST_CASE("an event has the weight of its sample: refraction its square") {
+  RenderSettings settings;
+  settings.max_bounces = 1;
+  const Scene scene = in_white_room("{ kt = 0.5 }", ball("thing"));
+  const PathTracer tracer(scene, settings);
+  const Pixel in = estimate(tracer, {{0, 0, 0}, {0, 0, 1}}, 20'000);
+  check_mean("seen from inside, kt (eta_o/eta_i)^2 = 0.5 * 1.5^2", in, 0,
+             0.5 * 2.25);
+}
+
 // kd + ks = 1 in red, ks + kt = 1 in green: nothing is lost, as long as a path
 // can end anywhere. Beyond bounce 16 roulette adds noise, not light.
 TEST_CASE("what loses no light is invisible in a white room, in the mean") {

@@ -115,7 +115,8 @@ TEST_CASE("the probabilities never add to more than the limit") {
       const auto p = lobe_probabilities(material(k[0], k[1], k[2]), bounce);
       const float sum = p.diffuse + p.specular + p.refraction;
       INFO("kd = ", k[0], ", ks = ", k[1], ", kt = ", k[2],
-           ": the probabilities add to ", sum);
+           ": the probabilities ", p.diffuse, ", ", p.specular, ", ",
+           p.refraction, " add to ", sum);
       REQUIRE(sum <= (bounce < 16 ? 1 : 0.95f) + 1e-6f);
     }
   }

@@ -59,6 +59,12 @@ TEST_CASE("glass seen squarely reflects 4 %, from either side") {
               0.1723949, 2e-4);
 }
 
+TEST_CASE("at grazing angles everything is reflected") {
+  check_value("F at 90 degrees into glass",
+              static_cast<double>(fresnel_reflectance(0, into)), 1);
+  CHECK(fresnel_reflectance(cosine(89.99), into) > 0.99f);
+}
+
 // At Brewster's angle, arctan(1.5) = 56.3099 degrees, r_p = 0 and F = r_s^2/2.
 // There cos_i = sin_o, so r_s = (1 - 1.5^2) / (1 + 1.5^2) = -0.384615.
 TEST_CASE("at Brewster's angle nothing of the parallel part is reflected") {
@@ -70,12 +76,6 @@ TEST_CASE("at 45 degrees glass reflects 5.0 %") {
   check_fresnel(45, into, 0.0502398);
   // The same ray from inside: sin 45 / 1.5 = sin 28.1255.
   check_fresnel(28.125506, out_of, 0.0502398);
-}
-
-TEST_CASE("at grazing angles everything is reflected") {
-  check_value("F at 90 degrees into glass",
-              static_cast<double>(fresnel_reflectance(0, into)), 1);
-  CHECK(fresnel_reflectance(cosine(89.99), into) > 0.99f);
 }
 
 TEST_CASE("beyond the critical angle, 41.81 degrees, F is 1 inside") {

@@ -49,10 +49,11 @@ void check_image(const Texture& texture, const Vec2& uv, bool has_poles,
                  SourceLine place = {__builtin_FILE(), __builtin_LINE()}) {
   const Vec3 color = image_color(texture, uv, has_poles);
   if (length(color - expected) < 1e-4f) return;
-  ADD_FAIL_CHECK_AT(place.file, place.line, "image_color at (u, v) = ", uv,
-                    has_poles ? ", with poles," : ", without poles,",
-                    " of an image of ", texture.width, " x ", texture.height,
-                    " texels is ", color, ", expected ", expected);
+  ADD_FAIL_CHECK_AT(
+      place.file, place.line, "image_color at (u, v) = ", uv,
+      std::string(has_poles ? ", with poles," : ", without poles,"),
+      " of an image of ", texture.width, " x ", texture.height, " texels is ",
+      color, ", expected ", expected);
 }
 
 void check_uv(const Vec2& uv, const Vec2& expected,

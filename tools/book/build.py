@@ -14,12 +14,15 @@ from pathlib import Path
 
 from compare import stages
 from compare.stages import BUILD, ROOT, Failure, stage_headers
+from tools.book.definitions import link_definitions
 from tools.book.figures import PlacedFigures
 from tools.book.measurements import measurements_page
 from tools.book.mistakes import mistakes_page
 from tools.book.page import weave
+from tools.book.sections import write_sections
+from tools.book.set_formulas import set_formulas
 from tools.book.symbols import symbols_page
-from tools.live.build import add_live, check_live
+from tools.live.build import add_box, check_live
 from tools.weave.formulas import check_formulas, formulas, formulas_of_header
 from tools.weave.names import check_names, check_text
 from tools.weave.offline import check_offline
@@ -28,6 +31,9 @@ from tools.weave.transcripts import check_transcripts
 
 HERE = Path(__file__).parent
 PAGES = HERE / "pages"
+STATIC = ("book.css", "keys.js", "contents.js", "viewer.js", "search.js", "gallery.css", "gallery.js")
+FONTS = ("source-serif-4", "jetbrains-mono")
+SIDEBAR_FROM = 97  # em of 16 px
 
 
 def core_headers():
@@ -62,7 +68,7 @@ def write_source(source, figures):
             write(source / page.name, figures.filled(page).split("\n"))
     write(source / "symbols.md", symbols_page())
     write(source / "measurements.md", measurements_page(source))
-    mistakes = mistakes_page(source)
+    mistakes = mistakes_page(figures)
     if mistakes:
         write(source / "mistakes.md", mistakes)
     write(source / "index.md", front_page(figures, bool(mistakes)))
@@ -111,15 +117,47 @@ def run_sphinx(source):
         raise Failure((lines or [text.strip()])[0].replace(f"{BUILD}/", ""))
 
 
+def copy_fonts(static):
+    """The fonts' files, and the styles that name them."""
+    for name in FONTS:
+        package = BUILD / "node/node_modules/@fontsource-variable" / name
+        target = static / "fonts" / name
+        (target / "files").mkdir(parents=True)
+        shutil.copy(package / "LICENSE", target)
+        for style in ("wght.css", "wght-italic.css"):
+            shutil.copy(package / style, target)
+            for file in re.findall(r"url\(\./files/([\w.-]+)\)", (package / style).read_text()):
+                shutil.copy(package / "files" / file, target / "files")
+
+
+def finish(book):
+    """What is done to the pages that Sphinx has made."""
+    write_sections(book)
+    pages = [(header, f"stages/{header.parent.name}") for header in stage_headers()]
+    pages += [(header, core_page(header)) for header in core_headers()]
+    link_definitions(book, pages)
+    set_formulas(book)
+    # The menu instead of the sidebar as long as there is no room for two
+    # columns beside it.
+    style = book / "_static/styles/furo.css"
+    style.write_text(style.read_text().replace("max-width:63em", f"max-width:{SIDEBAR_FROM}em"))
+    for unused in ("searchindex.js", "_static/searchtools.js", "_static/language_data.js"):
+        (book / unused).unlink(missing_ok=True)
+
+
 def main():
     source, static = BUILD / "book-source", BUILD / "book-static"
     for folder in (source, static):
         shutil.rmtree(folder, ignore_errors=True)
-    (static / "mathjax").mkdir(parents=True)
-    shutil.copy(BUILD / "node/node_modules/mathjax-full/es5/tex-svg-full.js",
-                static / "mathjax")
-    for name in ("book.css", "keys.js"):
+    static.mkdir(parents=True)
+    (static / "formulas.css").touch()
+    for name in STATIC:
         shutil.copy(HERE / name, static)
+    live = sorted((HERE / "live").glob("*.js"))
+    (static / "live.js").write_text("".join(path.read_text() for path in live))
+    shutil.copy(HERE / "live/live.css", static)
+    shutil.copy(BUILD / "node/node_modules/minisearch/dist/umd/index.js", static / "minisearch.js")
+    copy_fonts(static)
     figures = PlacedFigures(source / "figures")
     check_live(figures.entries)
     write_source(source, figures)
@@ -128,9 +166,10 @@ def main():
         check_transcripts(header)
     if "--check" in sys.argv[1:]:
         return
-    add_live(static)
+    add_box(static)
     os.environ["BOOK_STATIC"] = str(static)
     run_sphinx(source)
+    finish(BUILD / "book")
     check_offline(BUILD / "book")
     print(f"The book is {BUILD}/book/index.html")
 

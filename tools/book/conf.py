@@ -13,12 +13,27 @@ language = "en"
 
 # Everything comes from this folder: no page asks anybody for anything, and
 # all of it works from file://.
-mathjax_path = "mathjax/tex-svg-full.js"
-mathjax3_config = {"options": {"enableMenu": False}}
+# set_formulas.py sets the formulas, and takes MathJax's script out again.
+mathjax_path = "mathjax/none.js"
 html_static_path = [os.environ["BOOK_STATIC"]]
-html_css_files = ["book.css", "live.css"]
-html_js_files = ["keys.js", "live.js"]
-html_show_search_summary = False  # it would fetch pages, which file:// forbids
+templates_path = ["templates"]
+fonts = [
+    f"fonts/{name}/{style}"
+    for name in ("source-serif-4", "jetbrains-mono")
+    for style in ("wght.css", "wght-italic.css")
+]
+html_css_files = [*fonts, "formulas.css", "book.css", "gallery.css", "live.css", "lab.css"]
+html_js_files = ["keys.js", "contents.js", "live.js", "lab.js", "viewer.js", "gallery.js"]
+html_sidebars = {
+    "**": [
+        "sidebar/brand.html",
+        "sidebar/search.html",
+        "sidebar/scroll-start.html",
+        "contents.html",
+        "sidebar/navigation.html",
+        "sidebar/scroll-end.html",
+    ]
+}
 html_show_sourcelink = False
 html_copy_source = False
 html_show_copyright = False
@@ -28,8 +43,8 @@ html_theme = "furo"
 html_theme_options = {
     "navigation_with_keys": True,
     "light_css_variables": {
-        "font-stack": "'Source Serif 4', 'Charter', 'Bitstream Charter', 'Georgia', 'DejaVu Serif', serif",
-        "font-stack--monospace": "'JetBrains Mono', 'SFMono-Regular', "
+        "font-stack": "'Source Serif 4 Variable', 'Charter', 'Bitstream Charter', 'Georgia', 'DejaVu Serif', serif",
+        "font-stack--monospace": "'JetBrains Mono Variable', 'SFMono-Regular', "
         "'Menlo', 'Consolas', 'DejaVu Sans Mono', "
         "monospace",
         "color-brand-primary": "#8a3b12",

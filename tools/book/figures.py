@@ -1,6 +1,7 @@
 """Figures as the book has them: with a caption, in the place that they name."""
 
 import re
+from collections import Counter
 
 from compare.stages import ROOT, Failure
 from tools.weave.figures import Figures
@@ -31,6 +32,17 @@ class PlacedFigures(Figures):
     def __init__(self, folder):
         super().__init__(folder)
         self.shown = {}
+        self.counted = Counter()
+
+    def number(self, path):
+        """The next figure's number on the page, such as "3.4"; none where a
+        page is no chapter."""
+        if path.suffix == ".md":
+            return ""
+        self.counted[path] += 1
+        parts = path.relative_to(ROOT).parts
+        stage = parts[1][0] + "." if parts[0] == "stages" else ""
+        return f"{stage}{self.counted[path]}"
 
     def myst(self, name, path, where):
         """The figure on the page that is woven from the file at `path`."""
@@ -42,13 +54,15 @@ class PlacedFigures(Figures):
         files = self.files(name)
         panels = entry.get("panels", [{}])
         facts, commands = self.facts(entry)
-        lives = f" live-{entry['live']}" if "live" in entry else ""
-        lines = [f"({name})=", "", f":::::{{container}} figure panels-{len(files)}{lives}"]
+        live = f" live-{name}" if entry.get("live") else ""
+        lines = [f"({name})=", "", f":::::{{container}} figure panels-{len(files)}{live}"]
         for file, panel in zip(files, panels):
             label = panel.get("label", "")
             shows = f"{entry['shows']} {label}".strip()
             lines += ["::::{container} panel", *picture(f"{up}figures/{file}", shows), "", label, "::::"]
-        lines += ["::::{container} caption", entry["caption"].strip(), ""]
+        number = self.number(path)
+        caption = (f"**Figure {number}.** " if number else "") + entry["caption"].strip()
+        lines += ["::::{container} caption", caption, ""]
         if facts:
             lines += [f"Made with {facts}.", ""]
         if commands:

@@ -1,75 +1,183 @@
-"""The gallery of mistakes, from tests/mistakes/stage*.toml.
+"""The page of mistakes: a gallery with pictures, and the catalogue to search.
 
-With the pictures that `make signatures` has left behind, for the mistakes
-that show: wrong, right, their difference and its z.
+gallery.toml says which mistakes have pictures. Each is a figure of two panels,
+the right picture and the wrong one, rendered by the program with the mistake.
 """
 
 import re
-import shutil
 import tomllib
 
-from compare.stages import BUILD, ROOT
+from docutils.nodes import make_id
+
+from compare.stages import ROOT, Failure
+from tools.book.catalogue import diff_html, escaped, read_catalogue
+from tools.book.page import fenced
+
+GALLERY = ROOT / "tools/book/gallery.toml"
 
 
-def quoted(text):
-    return " ".join(text.split()).replace("|", "\\|").replace("<", "\\<")
+def plain(text):
+    """Plain text as MyST."""
+    return re.sub(r"([\\`*_<\[\]$|^])", r"\\\1", text)
 
 
-def change(entry):
-    lines = ["```diff"]
-    for edit in entry.get("edit", [entry]):
-        for sign, key in (("- ", "find"), ("+ ", "replace")):
-            lines += [sign + line for line in edit[key].split("\n")]
-    return [*lines, "```", ""]
+def raw(*lines):
+    return fenced("raw", "html", list(lines), mark="`") if lines else []
 
 
-def picture(source, stage, name):
-    """The most telling golden that the mistake fails, if it was rendered."""
-    folder = BUILD / "signatures" / f"stage{stage}" / name
-    report = folder / "report.txt"
-    if not report.exists():
-        return []
-    for scene, verdict in re.findall(rf"golden image (\w+) of stage{stage}: (.*)", report.read_text()):
-        image = folder / "golden_failures" / f"stage{stage}_{scene}.png"
-        if image.exists():
-            target = source / "mistakes" / f"stage{stage}-{name}.png"
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(image, target)
-            return [
-                f"![Wrong, right, the difference and its z](mistakes/{target.name})",
-                "",
-                f"`{scene}`, wrong, right, the difference and its z: " + quoted(verdict),
-                "",
-            ]
-    return []
+def slug(heading):
+    """As MyST names a heading."""
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 
 
-def gallery_entry(source, stage, entry):
-    title = entry["name"].replace("-", " ").capitalize()
-    lines = [f"### {title}", "", quoted(entry["sentence"]), "", *change(entry)]
-    if entry.get("verdict") == "pass":
-        return [*lines, "*Must pass: this is not a mistake.*", ""]
-    return [*lines, *picture(source, stage, entry["name"]), f"Caught by: “{quoted(entry['caught_by'])}”", ""]
+def figure(shown, figures):
+    """The pair of pictures, as the book has its figures."""
+    name = f"gallery-{shown['stage']}-{shown['name']}"
+    figures.entries[name] = {
+        "name": name,
+        "caption": shown["look"],
+        "shows": shown["title"] + ":",
+        "exposure": "shared",
+        "panels": [{"label": "right"}, {"label": "wrong", "mistake": shown["name"]}],
+        **{key: shown[key] for key in ("stage", "scene", "options", "replace") if key in shown},
+    }
+    lines = figures.myst(name, GALLERY, f"gallery.toml: {shown['name']}")
+    place = next(i for i, line in enumerate(lines) if line.endswith("figure panels-2"))
+    lines[place] += " compare"
+    return lines
 
 
-def mistakes_page(source):
-    """The page's lines, or nothing while nobody has collected mistakes."""
-    page = [
-        "# A gallery of mistakes",
+def card(entry, shown, figures):
+    """A mistake with its pictures."""
+    test = re.sub("[,']", "?", entry.mistake.caught_by)
+    section = entry.section()
+    words = [
+        plain(entry.sentence),
         "",
-        "Each of these was put into a correct header, built, and run "
-        "against that stage's tests. Below it stands the test that "
-        "objected. Where it says *must pass*, the change is no mistake "
-        "though it may look like one. Pictures are there once `make "
-        "signatures` has painted them.",
+        *fenced("code-block", "diff", entry.changed(context=1)[1], mark="`"),
+        f"Caught by the test “{plain(entry.test)}”:",
+        "",
+        *fenced("code-block", "sh", [f"build/stage{shown['stage']}_tests -tc='{test}*'"], mark="`"),
+        f"In the chapter: [{plain(section)}]({entry.page('.md')}#{slug(section)})",
         "",
     ]
-    count = 0
-    for path in sorted(ROOT.glob("tests/mistakes/stage*.toml")):
-        entries = next((v for v in tomllib.loads(path.read_text()).values() if isinstance(v, list)), [])
-        stage = path.stem.removeprefix("stage")
-        page += [f"## Stage {stage}", ""] if entries else []
-        for entry in entries:
-            page += gallery_entry(source, stage, entry)
-        count += len(entries)
-    return page if count else None
+    pair = figure(shown, figures)
+    return [
+        *raw(*(f'<span id="{name}"></span>' for name in entry.anchors())),
+        f"({entry.anchor})=",
+        f"#### {shown['title']}",
+        "",
+        *fenced("container", "mistake", pair + fenced("container", "words", words, depth=5), depth=6),
+    ]
+
+
+def contact_sheet(pairs):
+    """What went wrong, to be found by its look: a row for each stage."""
+    rows = []
+    for stage in sorted({shown["stage"] for _, shown in pairs}):
+        body = [f"Stage {stage}", ""]
+        for entry, shown in pairs:
+            if shown["stage"] == stage:
+                picture = f"figures/gallery-{stage}-{shown['name']}-2.png"
+                body += [f"[![]({picture}) {plain(shown['title'])}](#{entry.anchor})", ""]
+        rows += fenced("container", "wrong", body, depth=4)
+    return fenced("container", "contact-sheet", rows, depth=5)
+
+
+def row(entry, last, pictured):
+    """A row of a table; a picture's place has the names itself."""
+    diff = entry.changed()[1]
+    stage, section = entry.mistake.stage, entry.section()
+    own = "" if pictured else f' id="{entry.anchor}"'
+    bare = "" if pictured else "".join(f' id="{name}"' for name in entry.anchors())
+    see = f' <a href="#{entry.anchor}">Pictures</a>' if pictured else ""
+    return (
+        f"<tr{own}><td>{stage}</td><td{bare}><p>{escaped(entry.sentence)}{see}</p>"
+        f"<details><summary>The change <code>{entry.mistake.name}</code></summary>{diff_html(diff)}"
+        f'<p>In the chapter: <a href="{entry.page(".html")}#{make_id(section)}">{escaped(section)}</a></p>'
+        f"</details></td><td>{escaped(last)}</td></tr>"
+    )
+
+
+def table(what, heads, rows, kind=""):
+    head = "".join(f'<th scope="col">{text}</th>' for text in heads)
+    return raw(
+        f'<table class="docutils mistakes{kind}" aria-label="{what}">',
+        f"<thead><tr>{head}</tr></thead><tbody>",
+        *rows,
+        "</tbody></table>",
+    )
+
+
+def read_gallery(catalogue):
+    """The entries that are shown, each with what gallery.toml says, and the
+    reasons why variants are right."""
+    known = {entry.anchor: entry for entry in catalogue}
+    read = tomllib.loads(GALLERY.read_text())
+    pairs = []
+    for shown in read["mistake"]:
+        entry = known.get(f"stage{shown['stage']}-{shown['name']}")
+        if not entry or entry.is_right:
+            raise Failure(f"gallery.toml: stage {shown['stage']} has no mistake called '{shown['name']}'")
+        pairs.append((entry, shown))
+    variants = {entry.mistake.name for entry in catalogue if entry.is_right}
+    for name in sorted(variants ^ read["why"].keys()):
+        missing = "does not say why it is right" if name in variants else "is no variant that must pass"
+        raise Failure(f"gallery.toml: '{name}' {missing}")
+    return pairs, read["why"]
+
+
+def mistakes_page(figures):
+    """The page's lines, or nothing while nobody has collected mistakes."""
+    catalogue = read_catalogue()
+    if not catalogue:
+        return None
+    pairs, why = read_gallery(catalogue)
+    pictured = {entry.anchor for entry, _ in pairs}
+    wrong = [entry for entry in catalogue if not entry.is_right]
+    right = [entry for entry in catalogue if entry.is_right]
+    cards = []
+    for stage in sorted({shown["stage"] for _, shown in pairs}):
+        cards += [f"### Stage {stage}", ""]
+        for entry, shown in pairs:
+            cards += card(entry, shown, figures) if shown["stage"] == stage else []
+    return [
+        *["---", "hide-toc: true", "---", ""],
+        "# A gallery of mistakes",
+        "",
+        f"Does your picture look like one of these? Each of the {len(pairs)} was rendered by the "
+        "program of its stage with one mistake in it. Choose a picture to see it beside the right "
+        f"one, with the lines that do it. All {len(wrong)} known mistakes are "
+        "[in a table](#all-known-mistakes) that can be searched, and so are "
+        f"[{len(right)} changes that are no mistakes](#changes-that-are-no-mistakes).",
+        "",
+        *contact_sheet(pairs),
+        f"## {len(pairs)} mistakes that can be seen",
+        "",
+        "Both pictures of a pair have the same scene, the same options and the same exposure. A "
+        "test finds each mistake sooner than the eye: its command stands below the lines.",
+        "",
+        *cards,
+        "## All known mistakes",
+        "",
+        "Each was put into the right header and built, and the named test failed. Many look like "
+        "another one in a picture, so search for what your code does or for the test that fails.",
+        "",
+        *table(
+            "All known mistakes",
+            ["Stage", "Mistake", "Test that catches it"],
+            [row(entry, entry.test, entry.anchor in pictured) for entry in wrong],
+            " caught",
+        ),
+        "## Changes that are no mistakes",
+        "",
+        "These look like mistakes and are right: the mean of a pixel stays the same, and the tests "
+        "must pass with each of them. Only the noise, the time or the order of the random numbers "
+        "may differ.",
+        "",
+        *table(
+            "Changes that are no mistakes",
+            ["Stage", "Change", "Why it is right"],
+            [row(entry, why[entry.mistake.name], False) for entry in right],
+        ),
+    ]

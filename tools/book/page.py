@@ -141,7 +141,14 @@ def task_box(task):
     body += fenced(
         "dropdown",
         "The test that checks it" if len(checks) == 1 else "The tests that check it",
-        ["Test cases that begin " + ", ".join(checks) + ":", "", "```sh", *task.command(), "```"],
+        [
+            f"(tests-{number.replace('.', '-')})=",
+            "Test cases that begin " + ", ".join(checks) + ":",
+            "",
+            "```sh",
+            *task.command(),
+            "```",
+        ],
         depth=4,
     )
     options = ["class: exercise", f"name: {task.mark.anchor}"]
@@ -172,6 +179,7 @@ def row_lines(row, path, figures, sheet):
             prose += ["", *task_box(sheet.tasks[exercise.number])]
     code = [line for piece in row.code for line in code_block(path, piece)]
     page = [row.heading, ""] if row.heading else []
+    page += deck_link(path) if row.heading.startswith("# ") else []
     if across and code:  # the figure stands between the two
         head = Row(prose=row.prose)
         page += side_by_side(head.prose if head.has_prose() else [], right) + across
@@ -186,6 +194,14 @@ def side_by_side(prose, right):
     body += fenced("container", "code", right, depth=6) if right else []
     kind = "row" + ("" if right else " alone") + (" bare" if not words else "")
     return fenced("container", kind, body, depth=7) if body else []
+
+
+def deck_link(path):
+    """To the chapter's deck, which is built beside the book."""
+    name = path.parent.name
+    if not (ROOT / f"slides/{name}.md").is_file():
+        return []
+    return [f'<p class="deck"><a href="../../slides/{name}.html">The slides of this chapter</a></p>', ""]
 
 
 def weave(path, figures, sheet=None):

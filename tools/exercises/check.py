@@ -5,7 +5,8 @@ is not: `make check`.
 
 Exercises come in the order of the chapter, each judged by its own tests. The
 first that is open or wrong is explained, and no other; when all are done, the
-whole suite of the stage is run.
+whole suite of the stage is run. A test of it that tells of one exercise, the
+`later` of its sheet, is told as that exercise's, and any other as the last's.
 """
 
 import argparse
@@ -137,6 +138,17 @@ def judge(stage, header):
     return list(judged.values())
 
 
+def late_failure(stage, judged, whole):
+    """The exercise that a test of the whole stage tells of; where it is none
+    of theirs, the last one, which all paths go through."""
+    for one in judged:
+        if one.task.get("later"):
+            report, passed = run_suite(stage, one.task["later"])
+            if not passed:
+                return dataclasses.replace(one, state="wrong", says=explained(report))
+    return dataclasses.replace(judged[-1], state="wrong", says=explained(whole))
+
+
 def list_of(judged):
     states = {"done": say("done"), "open": say("open"), "wrong": say("wrong")}
     for one in judged:
@@ -194,8 +206,16 @@ def check(stage):
         return False
     report, passed = run_suite(stage)
     if not passed:
-        print(say("Each exercise passes its own tests, but the stage as a whole does not:") + "\n")
-        print(explained(report))
+        late = late_failure(stage, judged, report)
+        remember(stage, late)
+        print(
+            say(
+                "Each exercise passes its own tests, but in the whole stage {number} is wrong:",
+                number=late.number,
+            )
+            + "\n"
+        )
+        print("\n".join(explain(late)))
         return False
     print(report.strip() + "\n")
     print(say("Stage {stage} is done. `make` paints its picture.", stage=stage))

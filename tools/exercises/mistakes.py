@@ -4,7 +4,8 @@
 
 Each mistake of the catalogue that lies in the body of an exercise is made, all
 else being solved, and the exercises are judged in the chapter's order, each by
-its own tests. The first that fails should be the one with the mistake in it.
+its own tests, and then by those of the whole stage that tell of it. The first
+that fails should be the one with the mistake in it.
 The table is written to build/mistakes/exercises.md; it ends with 1 where a
 mistake is found in no exercise.
 """
@@ -40,8 +41,11 @@ def first_failing(mistake, suite, given, tasks, folder):
     folder = folder / f"stage{mistake.stage}" / mistake.name
     program = catalogue.build_with(catalogue.changed_header(mistake, suite), suite, given, folder)
     try:
-        for number, task in tasks.items():
-            names = ",".join(re.sub(r"[,\\*\"]", "?", test) + "*" for test in task.tests)
+        asked = [(number, task.tests) for number, task in tasks.items()]
+        asked += [(number, task.later) for number, task in tasks.items() if task.later]
+        asked += [(list(tasks)[-1], [""])]  # any other test is the last exercise's
+        for number, tests in asked:
+            names = ",".join(re.sub(r"[,\\*\"]", "?", test) + "*" for test in tests)
             _, code, end = catalogue.run_program([program, "-r=xml", f"-tc={names}"])
             if code or end:
                 return number

@@ -2,7 +2,8 @@
 
     recap = [five lines]
     [[exercise]]     number, task, hints = [two], tests = [prefixes of the
-                     names of test cases], needs = [numbers], minutes, points
+                     names of test cases], needs = [numbers], minutes, points;
+                     later = [tests that tell of it, and need all of the stage]
     [[question]]     ask, answer; three of them
 
 Every mark of the header has its [[exercise]], and the other way round.
@@ -25,6 +26,7 @@ KEYS = {
     "minutes": int,
     "points": int,
 }
+OPTIONAL = {"later": list}
 
 
 @dataclass
@@ -36,6 +38,7 @@ class Task:
     needs: list
     minutes: int
     points: int
+    later: list = field(default_factory=list)
 
     @property
     def stage(self):
@@ -90,14 +93,16 @@ def known_numbers():
 
 def checked(entry, mark, where):
     """The task, if all that it says can be."""
-    for key, kind in KEYS.items():
+    for key, kind in (KEYS | OPTIONAL).items():
+        if key in OPTIONAL and key not in entry:
+            continue
         if key not in entry:
             raise Failure(f"{where}: {key} is missing")
         if type(entry[key]) is not kind:
             raise Failure(f"{where}: {key} is not of type {kind.__name__}")
         if kind is list and not all(isinstance(x, str) for x in entry[key]):
             raise Failure(f"{where}: {key} is a list of strings")
-    for key in entry.keys() - KEYS.keys():
+    for key in entry.keys() - KEYS.keys() - OPTIONAL.keys():
         raise Failure(f"{where}: there is no key {key}")
     if len(entry["hints"]) != HINTS:
         raise Failure(f"{where}: has {len(entry['hints'])} hints, not {HINTS}")
@@ -107,7 +112,7 @@ def checked(entry, mark, where):
     if not entry["tests"]:
         raise Failure(f"{where}: no test checks it")
     names = test_names(ROOT / "tests" / f"stage{mark.number.split('.')[0]}")
-    for test in entry["tests"]:
+    for test in entry["tests"] + entry.get("later", []):
         if not test or not any(name.startswith(test) for name in names):
             raise Failure(f'{where}: no test case of its stage begins "{test}"')
     for number in entry["needs"]:

@@ -4,8 +4,9 @@ import re
 import tomllib
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure, stage_headers
+from compare.stages import ROOT, Failure, stage_headers
 from tools.exercises.marks import exercises
+from tools.handout.chapter_page import book_page, chapter_page
 from tools.handout.lab_sheet import lab_sheet
 from tools.handout.opened import opened
 
@@ -30,7 +31,6 @@ COMMON = (
     "WORDS.md",
 )
 ANSWER = re.compile(r'^answer = (?:"""[\s\S]*?"""|"(?:[^"\\]|\\.)*")$', re.MULTILINE)
-REFERENCE = re.compile(r"^// !\[\]\(([\w-]+)\)$", re.MULTILINE)
 IMAGE = re.compile(r'image\s*=\s*"([^"]+)"')
 
 
@@ -103,7 +103,7 @@ def contents(stage, tracked, solutions):
             sheet = files.get(f"{folder}/exercises.toml", b"").decode()
             files[f"{folder}/exercises.toml"] = ANSWER.sub('answer = ""', sheet).encode()
             files[f"{folder}/README.md"] = lab_sheet(header).encode()
-            files |= figures_of(header, folder)
+            files |= {f"{folder}/{path}": data for path, data in chapter_page(header).items()}
         else:
             # Their marks stay, their stubs go.
             numbers = [one.number for one in exercises(header)]
@@ -115,28 +115,6 @@ def contents(stage, tracked, solutions):
     return files
 
 
-def pictures_of(name):
-    """The files of a figure, as far as `make book` has drawn them."""
-    for path in sorted((BUILD / "book-source/figures").glob(f"{name}*")):
-        if re.fullmatch(re.escape(name) + r"(-\d+)?\.(svg|png)", path.name):
-            yield path
-
-
-def figures_of(header, folder):
-    """The pictures that the chapter places: {path: bytes}."""
-    found = {}
-    for name in REFERENCE.findall(header.read_text()):
-        for path in pictures_of(name):
-            found[f"{folder}/figures/{path.name}"] = path.read_bytes()
-    return found
-
-
-def missing_figures(stage):
-    """Names of the chapter's figures that are not drawn yet."""
-    header = next(header for header in stage_headers() if stage_of(header) == stage)
-    return [name for name in REFERENCE.findall(header.read_text()) if not any(pictures_of(name))]
-
-
 def readme(header):
     first = exercises(header)[0]
     title = next(line for line in header.read_text().splitlines() if line.startswith("// # "))
@@ -145,6 +123,13 @@ def readme(header):
         2: "scenes/cornell_box_point_diffuse.toml",
         5: "scenes/checkered_floor.toml",
     }
+    folder = f"stages/{header.parent.name}"
+    reading = "Read it from the top.\n"
+    if book_page(header):
+        reading = (
+            f"Read it from the top, in a browser: `{folder}/chapter/index.html` has\n"
+            "the same text with its formulas set and its figures.\n"
+        )
     return (
         (OVERLAY / "README.md")
         .read_text()
@@ -153,6 +138,7 @@ def readme(header):
             title=title.split(": ", 1)[1],
             header=header.relative_to(ROOT).as_posix(),
             folder=header.parent.name,
+            reading=reading,
             first=f"{first.number}: {first.title}",
             scene=scenes.get(stage_of(header), "scenes/cornell_box_point.toml"),
         )

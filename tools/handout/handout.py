@@ -21,8 +21,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-from compare.stages import ROOT, Failure
-from tools.handout.contents import contents, missing_figures
+from compare.stages import ROOT, Failure, stage_headers
+from tools.handout.chapter_page import book_page
+from tools.handout.contents import contents, stage_of
 from tools.handout.third_party import copy_libraries
 
 NOTE = "handout.json"
@@ -66,12 +67,12 @@ def note(stage, files):
     return json.dumps({"stage": stage, "files": sums}, indent=1) + "\n"
 
 
-def tell_missing_figures(stage):
-    missing = missing_figures(stage)
-    if missing:
+def tell_missing_page(stage):
+    header = next(header for header in stage_headers() if stage_of(header) == stage)
+    if not book_page(header):
         print(
-            f"  without {len(missing)} of the chapter's figures, such as {missing[0]!r}: "
-            "`make book` draws them, and handouts that are made after it bring them along"
+            "  without the chapter as a page with its figures: "
+            "`make book` makes it, and handouts that are made after it bring it along"
         )
 
 
@@ -99,7 +100,7 @@ def make_new(stage, solutions, folder):
         raise
     size = sum(map(len, files.values()))
     print(f"{folder}: stage {stage}, {len(files)} files, {size / 1e6:.1f} MB")
-    tell_missing_figures(stage)
+    tell_missing_page(stage)
 
 
 def add_to(stage, folder):
@@ -131,7 +132,7 @@ def add_to(stage, folder):
     print(f"{folder}: stage {stage} is in, {news} files new or newer. `git add -A && git commit` keeps them.")
     for path in kept:
         print(f"  {path} was changed there, and is as it was")
-    tell_missing_figures(stage)
+    tell_missing_page(stage)
 
 
 def main():

@@ -10,6 +10,7 @@ exercise's own tests green as soon as what it needs is there.
 """
 
 import argparse
+import html
 import os
 import random
 import re
@@ -26,11 +27,21 @@ from tools.handout.handout import add_to, git, make_new
 
 # A line of a solution that is shorter may stand anywhere by chance.
 LONGEST_CHANCE = 20
-TEXTS = {".hpp", ".cpp", ".h", ".py", ".md", ".toml", ".txt", ".json", ".cmake", ""}
+TEXTS = {".hpp", ".cpp", ".h", ".py", ".md", ".toml", ".txt", ".json", ".cmake", ".html", ""}
 
 
 def lines_of(text):
     return {line.strip() for line in text.splitlines()}
+
+
+def shown(path, data):
+    """A file's text; that of a page as a browser shows it, without the numbers
+    of its lines."""
+    text = data.decode(errors="replace")
+    if not path.endswith(".html"):
+        return text
+    text = re.sub(r'<span class="linenos"[^>]*>[^<]*</span>', "", text)
+    return html.unescape(re.sub(r"<[^>]*>", "", text))
 
 
 def leaks(files, opened, solved):
@@ -51,7 +62,7 @@ def leaks(files, opened, solved):
     for path, data in files.items():
         if Path(path).suffix not in TEXTS or path.startswith("third_party/"):
             continue
-        for line in lines_of(data.decode(errors="replace")) & secret:
+        for line in lines_of(shown(path, data)) & secret:
             yield path, line
 
 

@@ -10,31 +10,34 @@ const presets = {
 const lights = ["the whole ceiling", "a small glowing ball", "a point"];
 const here = document.currentScript.src;
 
-live.figures.box = (stage, figure) => {
-  const open = live.html(stage, "button", { type: "button", class: "live-open" }, "Paint this box here, and change it");
+/** The button below the still pictures, which stay. */
+lab.offer = (figure, preset) => {
+  const stage = document.createElement("div");
+  stage.className = "lab-stage";
+  figure.insertBefore(stage, figure.querySelector(".caption"));
+  const open = lab.html(stage, "button", { type: "button", class: "lab-open" }, "Paint this box here, and change it");
   const start = () => {
     open.remove();
-    live.startBox(stage, presets[figure.id]);
+    lab.startBox(stage, preset);
   };
   open.addEventListener("click", () => {
     if (window.lightwalkBox) return start();
     open.disabled = true;
-    live.html(document.head, "script", { src: new URL("live-box.js", here) }).addEventListener("load", start);
+    lab.html(document.head, "script", { src: new URL("lab-module.js", here) }).addEventListener("load", start);
   });
-  return false; // the still pictures stay
 };
 
-live.startBox = (stage, preset) => {
+lab.startBox = (stage, preset) => {
   const { wasm, worker: program, variants } = window.lightwalkBox;
   const last = preset.stage;
   const chosen = { bounces: 8, exposure: 0, sampling: "cosine", variant: "", kd: 0, ks: 0.1, kt: 0.9, eta: 1.5, fresnel: false, ...preset };
-  const task = live.html(stage, "p", { class: "live-task" }, "Change anything, and click a pixel to see one of its paths.");
-  const layout = live.html(stage, "div", { class: "live-lab" });
-  const picture = live.html(layout, "div", { class: "live-picture" });
-  const canvas = live.html(picture, "canvas", { width: size, height: size, role: "img", tabindex: 0 });
-  const says = live.html(picture, "p", { class: "live-says" });
-  const panel = live.html(layout, "div", { class: "live-controls" });
-  const note = live.html(stage, "p", { class: "live-says live-note", role: "status" });
+  const task = lab.html(stage, "p", { class: "lab-task" }, "Change anything, and click a pixel to see one of its paths.");
+  const layout = lab.html(stage, "div", { class: "lab-layout" });
+  const picture = lab.html(layout, "div", { class: "lab-picture" });
+  const canvas = lab.html(picture, "canvas", { width: size, height: size, role: "img", tabindex: 0 });
+  const says = lab.html(picture, "p", { class: "lab-says" });
+  const panel = lab.html(layout, "div", { class: "lab-controls" });
+  const note = lab.html(stage, "p", { class: "lab-says lab-note", role: "status" });
 
   const worker = new Worker(URL.createObjectURL(new Blob([program], { type: "text/javascript" })));
   const screen = canvas.getContext("2d");
@@ -74,13 +77,13 @@ live.startBox = (stage, preset) => {
       sampling.refill(ways);
     }
     if (name === "stage") fit();
-    const words = live.keepEnergy(chosen, name, isShared());
+    const words = lab.keepEnergy(chosen, name, isShared());
     for (const k of ["kd", "ks", "kt"]) ball[k]?.show();
     note.textContent = words || current().sentence;
     paint();
   };
 
-  const controls = live.boxControls(panel, chosen, changed);
+  const controls = lab.boxControls(panel, chosen, changed);
   const ways = [["cosine", "by the cosine"], ["uniform", "uniform"]];
   controls.choice("stage", "stage", variants.filter((v) => !v.name && v.stage <= last).map((v) => [v.stage, `${v.stage}`]));
   const variant = controls.choice("variant", "program", ofStage().map((v) => [v.name, v.label]));
@@ -89,21 +92,21 @@ live.startBox = (stage, preset) => {
   const bounces = controls.range("bounces", "most bounces", [0, 9, 1], (x) => (x > 8 ? "no bound" : `${x}`));
   const ball = {};
   if (last > 2) {
-    ball.title = live.html(panel, "p", {}, "The right ball:");
+    ball.title = lab.html(panel, "p", {}, "The right ball:");
     for (const k of ["kd", "ks", "kt"]) ball[k] = controls.range(k, k, [0, 1, 0.01]);
     ball.eta = controls.range("eta", "η", [1, 2.5, 0.05]);
   }
   if (last > 4) ball.fresnel = controls.check("fresnel", "Fresnel");
   controls.range("exposure", "exposure", [-4, 4, 0.5], (x) => `× ${+(2 ** x).toPrecision(2)}`);
-  const buttons = live.html(panel, "div", { class: "live-row" });
-  const pause = live.html(buttons, "button", { type: "button" }, "Pause");
+  const buttons = lab.html(panel, "div", { class: "lab-row" });
+  const pause = lab.html(buttons, "button", { type: "button" }, "Pause");
   pause.addEventListener("click", () => {
     paused = !paused;
     order(paused ? "pause" : "go");
     report();
   });
-  live.html(buttons, "button", { type: "button" }, "Restart").addEventListener("click", () => paint());
-  const inspector = live.pathInspector(stage, canvas, size, chosen, order);
+  lab.html(buttons, "button", { type: "button" }, "Restart").addEventListener("click", () => paint());
+  const inspector = lab.pathInspector(stage, canvas, size, chosen, order);
 
   worker.onmessage = ({ data }) => {
     if (data.path) return inspector.show(data);
@@ -119,3 +122,10 @@ live.startBox = (stage, preset) => {
   new IntersectionObserver(([{ isIntersecting }]) => paused || order(isIntersecting ? "go" : "pause")).observe(picture);
   canvas.focus({ preventScroll: true });
 };
+
+document.addEventListener("DOMContentLoaded", () => {
+  for (const [name, preset] of Object.entries(presets)) {
+    const figure = document.querySelector(`.figure.live-${name}`);
+    if (figure) lab.offer(figure, preset);
+  }
+});

@@ -11,10 +11,13 @@ import subprocess
 import sys
 
 from compare.stages import BUILD, ROOT, Failure
+from tools.slides.course import course_table, unfilled
 from tools.slides.coverage import check_coverage
 from tools.slides.deck import decks
 from tools.slides.index import index_page
+from tools.slides.links import OWN, corner, without_links
 from tools.slides.listing import colors, fill
+from tools.slides.plans import plans
 from tools.weave.figures import Figures
 from tools.weave.formulas import check_formulas, formulas
 from tools.weave.names import check_text
@@ -25,6 +28,7 @@ marp: true
 theme: lightwalk
 math: mathjax
 paginate: true
+lang: en
 title: {title}
 footer: Lightwalk / {title}
 ---
@@ -32,34 +36,51 @@ footer: Lightwalk / {title}
 
 
 def figure(line, figures):
-    """HTML for a line `{figure} name panels=1,2 height=300`."""
+    """HTML for a line `{figure} name panels=1,2 height=300 labels=step`: the
+    panels' labels are there at once, come with a step of their own, or not at
+    all (labels=none). The panels of `later=2` come with a step each."""
     name, *words = line.split()
     options = dict(word.split("=") for word in words)
     entry = figures.entry(name)
     files = figures.files(name)
     panels = entry.get("panels", [{}])
     numbers = [int(n) for n in options.get("panels", "").split(",") if n]
-    shown = ""
+    shown, first = "", True
+    labels = options.get("labels", "shown")
+    later = options.get("later", "").split(",")
     for number in numbers or range(1, len(files) + 1):
         label = panels[number - 1].get("label", "")
         file, size = files[number - 1], options.get("height", "360")
         drawn = file.endswith(".svg")
-        shown += (f'<div{" class=drawn" * drawn}><img src="figures/{file}" '
+        step = " data-marpit-fragment" * (str(number) in later)
+        shown += (f'<div{" class=drawn" * drawn}{step}><img src="figures/{file}" '
                   f'alt="{entry["shows"]} {label}" '
                   f'style="{"max-" * drawn}height: {size}px">'
-                  + f"<p>{label}</p>" * bool(label) + "</div>")
+                  + panel_label(label, labels, first) + "</div>")
+        first = False
     facts, _ = figures.facts(entry)
     facts = facts.replace("`", "")
     source = f'<p class="source">{facts}</p>' if facts else ""
     return f'<div class="figure">{shown}</div>\n{source}'
 
 
-def woven(deck, figures):
+def panel_label(label, labels, first):
+    """Below a panel. Those that come with a step all come with the first."""
+    if not label or labels == "none":
+        return ""
+    if labels == "shown":
+        return f"<p>{label}</p>"
+    return f"<p data-marpit-fragment>{label}</p>" if first else f"<p data-with-it>{label}</p>"
+
+
+def woven(deck, figures, course):
     """The deck as Marp takes it."""
     slides = []
     for slide in deck.slides:
         check_text(slide.shown, slide.where)
         text = fill(slide.text, slide.where, "trap" in slide.kinds)
+        text = text.replace("{course}", course)
+        text = OWN.sub("", text).rstrip("\n") + "\n\n" + corner(slide) + "\n"
         text = re.sub(r"^\{figure\} (.*)$",
                       lambda m: figure(m[1], figures), text, flags=re.M)
         text = re.sub(r"^::: (columns.*)$", r'<div class="\1"><div>\n', text,
@@ -73,7 +94,7 @@ def woven(deck, figures):
     return HEAD.format(title=deck.title) + "\n---\n".join(slides)
 
 
-def marp(*options):
+def marp(source, *options):
     environment = dict(os.environ, CHROME_NO_SANDBOX="1")
     names = ("chromium", "google-chrome", "chromium-browser")
     chromium = next(filter(None, map(shutil.which, names)), None)
@@ -83,7 +104,7 @@ def marp(*options):
         ["node", BUILD / "node/node_modules/@marp-team/marp-cli/marp-cli.js",
          "--no-config-file", "--no-stdin", "--html", "--theme-set",
          BUILD / "slides-source/theme.css", "--input-dir",
-         BUILD / "slides-source", "--output", BUILD / "slides", *options],
+         BUILD / source, "--output", BUILD / "slides", *options],
         capture_output=True, text=True, env=environment)
     if run.returncode:
         if "No suitable browser" in run.stderr:
@@ -97,11 +118,14 @@ def main():
     source, made = BUILD / "slides-source", BUILD / "slides"
     shutil.rmtree(source, ignore_errors=True)
     figures = Figures(source / "figures")
-    every = decks()
+    printed = BUILD / "slides-printed"  # what stands on paper leads nowhere
+    shutil.rmtree(printed, ignore_errors=True)
+    every, course = decks(), course_table()
+    check_coverage()
     for deck in every:
         deck.check()
-        (source / f"{deck.name}.md").write_text(woven(deck, figures))
-    check_coverage()
+        (source / f"{deck.name}.md").write_text(woven(deck, figures, course))
+    plans(every)
     check_formulas([formula for deck in every for slide in deck.slides
                     for formula in formulas(
                         slide.text, f"slides/{deck.path.name}", slide.line)])
@@ -110,12 +134,17 @@ def main():
     shutil.rmtree(made, ignore_errors=True)
     (source / "theme.css").write_text(
         (ROOT / "slides/theme.css").read_text() + colors())
-    marp()
+    marp(source)
     shutil.copytree(source / "figures", made / "figures")
-    marp("--pdf", "--allow-local-files", "--pdf-outlines",
+    shutil.copytree(source, printed)
+    for path in printed.glob("*.md"):
+        path.write_text(without_links(path.read_text()))
+    marp(printed, "--pdf", "--allow-local-files", "--pdf-outlines",
          "--pdf-outlines.pages=false")
     (made / "index.html").write_text(index_page(every))
     check_offline(made)
+    for line in unfilled():
+        print(f"slides: slides/course.toml does not say it yet: {line}")
     print(f"The slides are {made}/index.html")
 
 

@@ -4,6 +4,8 @@ from html import escape
 from pathlib import Path
 
 from tools.slides.coverage import shown_on, table
+from tools.slides.links import address
+from tools.slides.plans import plans
 
 
 def deck_row(deck):
@@ -19,11 +21,55 @@ def title_row(entry, by_name):
     pages = ", ".join(
         f'<a href="{deck.name}.html#{s.number}">{s.number}</a>' for s in shown_on(entry["title"], deck)
     )
-    chapter = escape(entry.get("chapter", "").replace("/path_tracer.hpp", ""))
+    chapter = entry.get("chapter", "")
+    if chapter:
+        shown = escape(chapter.replace("/path_tracer.hpp", ""))
+        chapter = f'<a href="{address(chapter)}">{shown}</a>'
     return (
-        f"<tr><td>{escape(entry['title'])}</td><td>{chapter}</td>"
+        f"<tr><td>{title(entry['title'])}</td><td>{chapter}</td>"
         f"<td>{escape(deck.title)}</td><td>{pages}</td></tr>"
     )
+
+
+def skipped_slides(part):
+    """Links to the slides that are left out, one for each heading."""
+    first = {}
+    for slide in part.skipped:
+        first.setdefault(slide.heading, []).append(slide.number)
+    return ", ".join(
+        f'<a href="{part.deck.name}.html#{numbers[0]}">{title(heading)}</a>'
+        + f" ({len(numbers)} slides)" * (len(numbers) > 1)
+        for heading, numbers in first.items()
+    )
+
+
+def part_line(part):
+    line = f'<a href="{part.deck.name}.html">{escape(part.deck.title)}</a>, {part.minutes:g} min'
+    if part.skipped:
+        line += f'<span class="skipped">without {skipped_slides(part)}</span>'
+    return line
+
+
+def plan_section(plan, sessions):
+    rows = "\n".join(
+        f"<tr><td>{number}</td><td>{'<br>'.join(map(part_line, parts))}</td>"
+        f"<td>{sum(part.minutes for part in parts):g} min</td></tr>"
+        for number, parts in enumerate(sessions, 1)
+    )
+    return (
+        f"<h3>{escape(plan['name'])}</h3>\n<p>{escape(plan['says'])}</p>\n"
+        '<div class="wide"><table class="plan">\n'
+        f"<tr><th>session</th><th>decks</th><th>takes</th></tr>\n{rows}\n</table></div>"
+    )
+
+
+def title(tex):
+    """A heading without mathematics of TeX."""
+    letters = {r"\Omega": "Ω", r"\omega_o": "ω<sub>o</sub>"}
+    text = escape(tex).replace("$", "")
+    for old, new in letters.items():
+        text = text.replace(old, new)
+    return text
 
 
 def index_page(every):
@@ -31,4 +77,5 @@ def index_page(every):
     text = Path(__file__).with_name("index.html").read_text()
     rows = "\n".join(map(deck_row, every))
     titles = "\n".join(title_row(e, by_name) for e in table()["slide"])
+    text = text.replace("{plans}", "\n".join(plan_section(*one) for one in plans(every)))
     return text.replace("{decks}", rows).replace("{titles}", titles)

@@ -190,7 +190,7 @@ def ray_counts():
         y = y0 - dy * power
         yield line(x0, y, x0 + 480, y, FAINT, 1)
         yield text(x0 - 10, y + 5, f"{10**power:,}", SOFT, "end", size=13)
-    for stage, color, name in ((3, WARM, "stage 3: every lobe"), (4, COOL, "stage 4: one by lot")):
+    for stage, color, name in ((3, WARM, "stage 3: every lobe"), (4, COOL, "stage 4: one at random")):
         points = []
         for bound in bounds:
             options = (f"--size 16x16 --spp 16 --max-bounces {bound}").split()

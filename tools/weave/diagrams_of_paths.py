@@ -59,7 +59,10 @@ def refraction_lobe():
     yield from lobe(110, 130, "refraction")
 
 
-def mirror(x, y, at_surface):
+@diagram("mirror", 280, 190)
+def mirror_of_the_slide():
+    """With wo as the course's slide has it: it points at the surface."""
+    x, y = 140, 170
     yield line(x - 115, y, x + 115, y, INK, 2.2)
     yield ray(x, y, 0, 140, INK)
     yield text(x + 13, y - 130, "n", style="italic")
@@ -68,23 +71,8 @@ def mirror(x, y, at_surface):
     yield arc(x, y, 0, 48, 40)
     yield arc(x, y, -48, 0, 40)
     tip = polar(x, y, -48, 124)
-    if at_surface:
-        yield line(*tip, *polar(x, y, -48, 5), COOL, 2.4, True)
-    else:
-        yield ray(x, y, -48, 124, COOL, 2.4)
+    yield line(*tip, *polar(x, y, -48, 5), COOL, 2.4, True)
     yield text(tip[0] - 14, tip[1] + 2, "w_o", COOL)
-
-
-@diagram("mirror-directions", 540, 250)
-def mirror_directions():
-    for x, name in ((135, "on the slide"), (405, "in the code")):
-        yield from mirror(x, 180, x < 200)
-        yield text(x, 232, name)
-
-
-@diagram("mirror", 280, 190)
-def mirror_of_the_slide():
-    yield from mirror(140, 170, True)
 
 
 @diagram("mirror-cone", 520, 200)
@@ -120,8 +108,8 @@ def one_path():
                 a[0] + (18 if a[0] < 500 else -16), a[1] + (20 if a[1] < 200 else -10), str(number), size=14
             )
     yield text(50, 146, "camera", SOFT, "start", size=14)
-    yield text(316, 54, "its emission, times", WARM, "start", size=13)
-    yield text(316, 74, "the product of the weights", WARM, "start", size=13)
+    yield text(298, 54, "its emission, times", WARM, "start", size=13)
+    yield text(298, 74, "the product of the weights", WARM, "start", size=13)
 
 
 def tree(x, y, angle, length, depth):
@@ -146,7 +134,7 @@ def branching():
         yield line(x, y, *end, COOL, 2.2)
         x, y = end
         yield circle(x, y, 3, COOL)
-    yield text(450, 288, "one by lot: 1, 1, 1, 1, 1")
+    yield text(450, 288, "one at random: 1, 1, 1, 1, 1")
 
 
 @diagram("pinhole", 600, 270)
@@ -170,12 +158,12 @@ def pinhole():
     yield text(462, 44, "row 0 at U", SOFT, "start", size=13)
 
 
-@diagram("densities", 560, 270)
+@diagram("densities", 580, 245)
 def densities():
     """Both densities of theta, and their distributions."""
     for x0, name, functions in (
         (40, "density of θ", ((math.sin, WARM), (lambda t: math.sin(2 * t), COOL))),
-        (320, "its distribution", ((lambda t: 1 - math.cos(t), WARM), (lambda t: math.sin(t) ** 2, COOL))),
+        (346, "its distribution", ((lambda t: 1 - math.cos(t), WARM), (lambda t: math.sin(t) ** 2, COOL))),
     ):
         y0, width, height = 215, 200, 165
         yield line(x0, y0, x0 + width, y0)
@@ -190,5 +178,10 @@ def densities():
         yield text(x0 - 7, y0 - height + 5, "1", SOFT, "end", size=13)
         yield text(x0 - 7, y0 + 5, "0", SOFT, "end", size=13)
         yield text(x0 + width / 2, 24, name)
-    yield text(200, 256, "uniform", WARM)
-    yield text(360, 256, "cosine", COOL)
+    for x, y, words, color, anchor in (
+        (248, 58, "uniform", WARM, "start"),
+        (99, 64, "cosine", COOL, "end"),
+        (476, 185, "uniform", WARM, "start"),
+        (416, 105, "cosine", COOL, "end"),
+    ):
+        yield text(x, y, words, color, anchor)

@@ -9,6 +9,8 @@ from compare.stages import ROOT, Failure
 from tools.weave import (  # noqa: F401, they register
     diagrams,
     diagrams_of_paths,
+    diagrams_of_the_box,
+    diagrams_of_the_slides,
     diagrams_stage1,
     diagrams_stage2,
     diagrams_stage3,
@@ -16,6 +18,7 @@ from tools.weave import (  # noqa: F401, they register
     diagrams_stage5,
 )
 from tools.weave.drawing import draw
+from tools.weave.png import strip_curve
 from tools.weave.renders import Render
 
 REFERENCE = re.compile(r"!\[\]\(([\w-]+)\)$")
@@ -98,6 +101,8 @@ class Figures:
         for number, render in enumerate(self.renders(entry), 1):
             file = f"{name}-{number}.png"
             shutil.copy(render.picture(), self.folder / file)
+            if entry["panels"][number - 1].get("bare"):
+                strip_curve(self.folder / file)
             made.append(file)
         return made
 

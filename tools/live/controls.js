@@ -1,19 +1,19 @@
 // The controls of the lab's box: each writes what is chosen into `chosen`, and
 // says that it has changed.
-live.boxControls = (parent, chosen, changed) => {
+lab.boxControls = (parent, chosen, changed) => {
   const controls = {};
   const row = (label) => {
-    const made = live.html(parent, "label", { class: "live-row" });
-    live.html(made, "span", {}, label);
+    const made = lab.html(parent, "label", { class: "lab-row" });
+    lab.html(made, "span", {}, label);
     return made;
   };
   /** One of several [value, words]. */
   controls.choice = (name, label, options) => {
     const made = row(label);
-    const select = live.html(made, "select");
+    const select = lab.html(made, "select");
     made.refill = (list) => {
       select.replaceChildren();
-      for (const [value, words] of list) live.html(select, "option", { value }, words);
+      for (const [value, words] of list) lab.html(select, "option", { value }, words);
       if (!list.some(([value]) => value === chosen[name])) chosen[name] = list[0][0];
       select.value = String(chosen[name]);
       made.hidden = list.length < 2;
@@ -28,8 +28,8 @@ live.boxControls = (parent, chosen, changed) => {
   /** A number on a slider; `words` says it. */
   controls.range = (name, label, [min, max, step], words = (x) => x.toFixed(2)) => {
     const made = row(label);
-    const slider = live.html(made, "input", { type: "range", min, max, step });
-    const output = live.html(made, "output");
+    const slider = lab.html(made, "input", { type: "range", min, max, step });
+    const output = lab.html(made, "output");
     made.show = () => {
       slider.value = chosen[name];
       output.textContent = words(chosen[name]);
@@ -50,7 +50,7 @@ live.boxControls = (parent, chosen, changed) => {
   };
   controls.check = (name, label) => {
     const made = row(label);
-    const box = live.html(made, "input", { type: "checkbox" });
+    const box = lab.html(made, "input", { type: "checkbox" });
     box.checked = chosen[name];
     box.addEventListener("change", () => {
       chosen[name] = box.checked;
@@ -59,7 +59,7 @@ live.boxControls = (parent, chosen, changed) => {
     return made;
   };
   controls.button = (words, press) => {
-    const made = live.html(parent, "button", { type: "button" }, words);
+    const made = lab.html(parent, "button", { type: "button" }, words);
     made.addEventListener("click", press);
     return made;
   };
@@ -68,7 +68,7 @@ live.boxControls = (parent, chosen, changed) => {
 
 /** A ball that gives back at most what it gets: what `name` got, the others
  * lose. By Fresnel's equations ks and kt have `shared` one light. */
-live.keepEnergy = (ball, name, shared) => {
+lab.keepEnergy = (ball, name, shared) => {
   const before = { ...ball };
   const mirrored = shared ? Math.max(ball.ks, ball.kt) : ball.ks + ball.kt;
   if (ball.kd + mirrored <= 1 + 1e-9) return "";

@@ -5,13 +5,13 @@ const isTiny = (x) => Math.abs(x) < 0.0005;
 const rgb = (v) => `(${v.map((x) => (x && isTiny(x) ? x.toExponential(0) : +x.toFixed(3))).join(", ")})`;
 const mostRows = 12;
 
-live.pathInspector = (stage, canvas, size, chosen, order) => {
-  const place = live.html(stage, "div", { class: "live-path", hidden: "" });
-  const mark = live.html(canvas.parentElement, "span", { class: "live-mark", hidden: "" });
+lab.pathInspector = (stage, canvas, size, chosen, order) => {
+  const place = lab.html(stage, "div", { class: "lab-path", hidden: "" });
+  const mark = lab.html(canvas.parentElement, "span", { class: "lab-mark", hidden: "" });
   let asked = null;
 
   const ask = (column, row, sample = 0) => {
-    asked = { column: live.clamp(column, 0, size - 1), row: live.clamp(row, 0, size - 1), sample };
+    asked = { column: clamp(column, 0, size - 1), row: clamp(row, 0, size - 1), sample };
     mark.hidden = false;
     mark.style.left = `${((asked.column + 0.5) / size) * canvas.clientWidth}px`;
     mark.style.top = `${((asked.row + 0.5) / size) * canvas.clientHeight}px`;
@@ -49,23 +49,23 @@ live.pathInspector = (stage, canvas, size, chosen, order) => {
     place.hidden = false;
     place.replaceChildren();
     const all = pieces(path), vertices = all.filter((p) => p.kind === 0), radiance = [...path.slice(0, 3)];
-    live.drawPath(place, all, chosen.light);
-    const words = live.html(place, "div");
-    live.html(words, "p", {}, `Pixel ${column},${row}, path ${sample}. It brings ${rgb(radiance)}.`);
-    const table = live.html(words, "table");
-    const head = live.html(live.html(table, "thead"), "tr");
-    for (const name of ["", "where", "throughput", "adds"]) live.html(head, "th", { scope: "col" }, name);
-    const body = live.html(table, "tbody");
+    lab.drawPath(place, all, chosen.light);
+    const words = lab.html(place, "div");
+    lab.html(words, "p", {}, `Pixel ${column},${row}, path ${sample}. It brings ${rgb(radiance)}.`);
+    const table = lab.html(words, "table");
+    const head = lab.html(lab.html(table, "thead"), "tr");
+    for (const name of ["", "where", "throughput", "adds"]) lab.html(head, "th", { scope: "col" }, name);
+    const body = lab.html(table, "tbody");
     vertices.slice(0, mostRows).forEach((vertex, i) => {
       const after = vertices[i + 1]?.sum ?? radiance;
       const adds = after.map((x, c) => x - vertex.sum[c]);
-      const line = live.html(body, "tr");
+      const line = lab.html(body, "tr");
       const cells = [vertex.bounce, vertex.where, rgb(vertex.throughput), adds.every(isTiny) ? "" : rgb(adds)];
-      for (const cell of cells) live.html(line, "td", {}, `${cell}`);
+      for (const cell of cells) lab.html(line, "td", {}, `${cell}`);
     });
-    if (vertices.length > mostRows) live.html(words, "p", {}, `… and ${vertices.length - mostRows} more vertices`);
-    live.html(words, "p", {}, end(all));
-    const more = live.html(words, "button", { type: "button" }, "Another path of this pixel");
+    if (vertices.length > mostRows) lab.html(words, "p", {}, `… and ${vertices.length - mostRows} more vertices`);
+    lab.html(words, "p", {}, end(all));
+    const more = lab.html(words, "button", { type: "button" }, "Another path of this pixel");
     more.addEventListener("click", () => ask(column, row, sample + 1));
     if (sample) more.focus({ preventScroll: true });
   };
@@ -74,9 +74,9 @@ live.pathInspector = (stage, canvas, size, chosen, order) => {
 
 /** The room with the path, in parallel perspective from the upper left. Its walls
  * have no end in front; it is drawn as far as the camera. */
-live.drawPath = (parent, pieces, light) => {
-  const svg = live.add(parent, "svg", { viewBox: "0 0 300 210", role: "img", "aria-label": "The path in the box" });
-  const yaw = live.radians(55), pitch = live.radians(20), scale = 56;
+lab.drawPath = (parent, pieces, light) => {
+  const svg = lab.add(parent, "svg", { viewBox: "0 0 300 210", role: "img", "aria-label": "The path in the box" });
+  const yaw = (55 * Math.PI) / 180, pitch = (20 * Math.PI) / 180, scale = 56;
   const at = ([x, y, z]) => {
     const right = x * Math.cos(yaw) - z * Math.sin(yaw), deep = x * Math.sin(yaw) + z * Math.cos(yaw);
     return [84 + scale * right, 92 - scale * (y * Math.cos(pitch) + deep * Math.sin(pitch))];
@@ -85,22 +85,21 @@ live.drawPath = (parent, pieces, light) => {
   for (const a of corners) for (const b of corners) {
     const z = b > 0 ? 1 : -3.5;
     for (const ends of [[[-1, a, z], [1, a, z]], [[a, -1, z], [a, 1, z]], [[a, b, -3.5], [a, b, 1]]]) {
-      live.draw(live.line(svg, "soft", 1), ...ends.map(at));
+      lab.line(svg, ...ends.map(at), "soft", 1);
     }
   }
   for (const [center, r] of [[[-0.5, -0.7, 0.25], 0.3], [[0.5, -0.7, -0.25], 0.3], [[0, 0.5, 0], [0, 0.1, 0.03][light]]]) {
     const [cx, cy] = at(center);
-    if (r) live.add(svg, "circle", { cx, cy, r: scale * r, class: "line-soft", "stroke-width": 1 });
+    if (r) lab.add(svg, "circle", { cx, cy, r: scale * r, class: "line-soft", "stroke-width": 1 });
   }
   const colors = ["warm", "cool", "soft", "warm"];
   for (const { kind, from, to } of pieces) {
-    live.draw(live.line(svg, colors[kind], kind ? 1.2 : 1.8, kind ? "4 3" : ""), at(from), at(to));
+    lab.line(svg, at(from), at(to), colors[kind], kind ? 1.2 : 1.8, kind ? "4 3" : "none");
   }
   for (const { kind, to } of pieces) {
-    const [cx, cy] = at(to);
-    if (!kind) live.set(live.dot(svg, "warm", 3), { cx, cy });
+    if (!kind) lab.dot(svg, at(to), "warm", 3);
   }
-  const [cx, cy] = at([0, 0, -3.5]);
-  live.set(live.dot(svg, "ink", 4), { cx, cy });
-  live.text(svg, cx - 2, cy - 9, "camera", "ink", "end").style.fontSize = "10px";
+  const [x, y] = at([0, 0, -3.5]);
+  lab.dot(svg, [x, y], "ink", 4);
+  lab.add(svg, "text", { x: x - 2, y: y - 9, class: "fill-ink", "text-anchor": "end" }).textContent = "camera";
 };

@@ -1,0 +1,111 @@
+"""The chapter as a page that a student opens in a browser, made from the
+book's: without its solutions, its answers and what leads to other pages."""
+
+import re
+from pathlib import Path
+
+from compare.stages import BUILD
+
+BOOK = BUILD / "book"
+PAGE = """\
+<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width,initial-scale=1">
+<title>{title}</title>
+{styles}
+</head>
+<body data-theme="auto">
+<div class="page"><div class="main"><div class="content"><div class="article-container">
+{article}
+</div></div></div></div>
+{glyphs}
+{scripts}
+</body>
+</html>
+"""
+SOLUTION = re.compile(
+    r'(<div class="exercise-body[^>]*>\s*<p>(?:(?!</p>).)*</p>\s*<div class="highlight-cpp[^>]*>'
+    r'<div class="highlight"><pre>).*?(</pre></div>\s*</div>\s*</div>)',
+    re.S,
+)
+FOLDED = r"<details[^>]*>\s*<summary[^>]*>\s*<span[^>]*>{}(?:(?!</details>).)*</details>"
+LINK = re.compile(r'<a\b[^>]*\bhref="([^"]*)"[^>]*>(.*?)</a>', re.S)
+STYLES = ("pygments.css", "styles/furo.css", "sphinx-design.min.css", "styles/furo-extensions.css")
+STYLES += tuple(
+    f"fonts/{name}/{style}"
+    for name in ("source-serif-4", "jetbrains-mono")
+    for style in ("wght.css", "wght-italic.css")
+)
+STYLES += ("formulas.css", "book.css", "live.css")
+SCRIPTS = ("live.js", "viewer.js")
+# Scripts of the world that the book is written in.
+SUBSETS = re.compile(r"-(latin|latin-ext|greek)-wght-")
+
+
+def book_page(header):
+    """The book's page of the chapter, or None where `make book` has not been
+    run since the header was changed."""
+    path = BOOK / f"stages/{header.parent.name}.html"
+    return path if path.exists() and path.stat().st_mtime >= header.stat().st_mtime else None
+
+
+def without_solutions(article):
+    article = SOLUTION.sub(r'\1<span class="c1">  // write it in path_tracer.hpp</span>\n\2', article)
+    for title in ("What changed since", "Answer"):
+        article = re.sub(FOLDED.format(title), "", article, flags=re.S)
+    return article
+
+
+def without_links(article):
+    """Links within the page stay, and those to papers."""
+
+    def text(match):
+        address, words = match.groups()
+        return match[0] if address.startswith(("#", "https:")) else f"<span>{words}</span>"
+
+    article = re.sub(r'<p>\s*<a[^>]*href="[^"]*slides/[^"]*"[^>]*>[^<]*</a>\s*</p>', "", article)
+    return LINK.sub(text, article)
+
+
+def styles():
+    """{path beside the page: bytes}, and the elements that name them."""
+    found = {}
+    for name in STYLES:
+        path = BOOK / "_static" / name
+        found[f"static/{name}"] = path.read_bytes()
+        for file in re.findall(r"url\(\./files/([\w.-]+)\)", path.read_text() if "fonts/" in name else ""):
+            if SUBSETS.search(file):
+                found[f"static/{Path(name).parent}/files/{file}"] = (
+                    path.parent / "files" / file
+                ).read_bytes()
+    links = "\n".join(f'<link rel="stylesheet" href="static/{name}">' for name in STYLES)
+    found |= {f"static/{name}": (BOOK / "_static" / name).read_bytes() for name in SCRIPTS}
+    return found, links
+
+
+def chapter_page(header):
+    """The page and all that it shows, in the folder chapter/: {path: bytes};
+    nothing where the book is not there."""
+    source = book_page(header)
+    if not source:
+        return {}
+    text = source.read_text()
+    article = text[text.index("<article") : text.index("</article>") + len("</article>")]
+    article = without_links(without_solutions(article))
+    files, links = styles()
+    links += "".join("\n" + style for style in re.findall(r"<style>.*?</style>", text, re.S))  # the theme's
+    for name in set(re.findall(r'src="\.\./_images/([^"]+)"', article)):
+        files[f"images/{name}"] = (BOOK / "_images" / name).read_bytes()
+    glyphs = re.search(r'<svg[^>]*id="MJX-SVG-global-cache".*?</svg>', text, re.S)
+    title = next(line[5:] for line in header.read_text().splitlines() if line.startswith("// # "))
+    page = PAGE.format(
+        title=title,
+        styles=links,
+        article=article.replace('src="../_images/', 'src="images/'),
+        glyphs=glyphs[0] if glyphs else "",
+        scripts="\n".join(f'<script src="static/{name}"></script>' for name in SCRIPTS),
+    )
+    files["index.html"] = page.encode()
+    return {f"chapter/{path}": data for path, data in files.items()}

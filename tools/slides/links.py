@@ -1,0 +1,75 @@
+"""The line in a slide's corner: where the book tells the same, with the task
+and the tests that belong to it. The book is built beside the slides."""
+
+import re
+
+from compare.stages import ROOT
+from tools.book.page import slug
+from tools.slides.coverage import table
+from tools.weave.literate import pieces, region
+
+BOOK = "../book"
+OWN = re.compile(r"<!-- _book: (.*?) -->\n*")
+REFERENCE = re.compile(r"^```cpp region=(\S+)", re.M)
+TO_THE_BOOK = re.compile(rf'<a [^>]*href="{re.escape(BOOK)}/[^"]*"[^>]*>(.*?)</a>')
+
+
+def references(slide):
+    """The regions `path#name` that the slide shows or that tell its title; or
+    what it says itself, `<!-- _book: path or path#name, none, or several -->`."""
+    own = OWN.search(slide.text)
+    if own:
+        return own[1].split() if own[1] != "none" else []
+    found = REFERENCE.findall(slide.text)
+    for entry in table()["slide"]:
+        if entry["title"] == slide.heading and entry["deck"] == slide.deck.name and "chapter" in entry:
+            found.append(entry["chapter"])
+    return list(dict.fromkeys(found))
+
+
+def page_of(path):
+    """The address of the book's page about a header."""
+    if path.startswith("stages/"):
+        return f"{BOOK}/{path.rsplit('/', 1)[0]}.html"
+    return f"{BOOK}/core/{path.removeprefix('common/').removesuffix('.hpp')}.html"
+
+
+def anchor(reference):
+    """What follows the page's address, as docutils writes it: ids begin with
+    a letter. A region within a struct has no id of its own."""
+    path, _, name = reference.partition("#")
+    if all(piece.region != name for piece in pieces(ROOT / path)):
+        return ""
+    return "#" + re.sub(r"^[^a-z]+", "", slug(ROOT / path, name))
+
+
+def address(reference):
+    return page_of(reference.split("#")[0]) + anchor(reference)
+
+
+def exercises_of(reference):
+    path, _, name = reference.partition("#")
+    return [(page_of(path), one.number) for one in region(reference).exercises] if name else []
+
+
+def name_of(reference):
+    """A region's name, or a header's."""
+    return re.sub(r"\.hpp$", "", re.split("[#/]", reference)[-1]).replace("_", " ")
+
+
+def corner(slide):
+    """HTML for the line, or nothing."""
+    known = references(slide)
+    links = [f'<a href="{address(one)}">book: {name_of(one)}</a>' for one in known]
+    for page, number in dict.fromkeys(two for one in known for two in exercises_of(one)):
+        place = number.replace(".", "-")
+        links.append(f'<a href="{page}#exercise-{place}">exercise {number}</a>')
+        links.append(f'<a href="{page}#tests-{place}">its tests</a>')
+    return f'<p class="links">{"".join(links)}</p>' if links else ""
+
+
+def without_links(text):
+    """For paper: links to the book are words, since a PDF would have the
+    absolute addresses of the machine that made it."""
+    text = re.sub(r'<p class="links">.*?</p>', "", text)
+    return TO_THE_BOOK.sub(r"\1", text)
