@@ -6,6 +6,7 @@
 #
 #   setup.sh         what `make` and `make test` need
 #   setup.sh site    what the book needs besides
+#   setup.sh live    what the book's live box needs besides: WebAssembly
 #   setup.sh slides  what the slides and the browser tests need besides
 #   setup.sh handout what handouts bring along besides
 #   setup.sh bench   what comparing benchmarks needs besides
@@ -31,6 +32,10 @@ if [ "${1:-}" = site ]; then
   command -v node >/dev/null || debian_packages="$debian_packages nodejs"
   command -v npm >/dev/null || debian_packages="$debian_packages npm"
   brew_packages="node python"
+elif [ "${1:-}" = live ]; then
+  # Debian's and Ubuntu's alone: a Mac's LLVM comes without WASI's libraries.
+  debian_packages="clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32"
+  brew_packages=
 elif [ "${1:-}" = handout ]; then
   # What a handout brings along for students without OpenImageIO.
   debian_packages="libtinyexr-dev libstb-dev"

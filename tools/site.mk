@@ -2,10 +2,14 @@
 # compiler; what comes from PyPI and npm goes under $(BUILD).
 site_python := $(BUILD)/venv/bin/python
 
-.PHONY: setup-site setup-slides book slides test-site
+.PHONY: setup-site setup-live setup-slides book slides test-site
 
 setup-site: setup
 	@tools/setup.sh site
+
+# For the box that the book paints in the browser; without it the box is still.
+setup-live: setup
+	@tools/setup.sh live
 
 setup-slides: setup
 	@tools/setup.sh slides

@@ -78,6 +78,22 @@ class Book(Copy):
         self.change("tools/book/pages/index.md", "{figure} five-stages", "{figure} six-stages")
         self.assert_refused("book", "figure 'six-stages' is not in figures")
 
+    def test_a_figure_that_no_script_makes_live(self):
+        self.change("tools/book/live/snell.js", 'live("snell"', 'live("snail"')
+        self.assert_refused("book", "snell is live, and no script says how")
+
+    def test_without_a_compiler_for_webassembly_the_box_stays_still(self):
+        os.environ["WASM_CXX"] = "no-such-compiler"
+        self.addCleanup(os.environ.pop, "WASM_CXX")
+        static = self.root / "static"
+        static.mkdir()
+        run = self.run_tool("live.build", static)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
+        self.assertIn("tools/setup.sh live", run.stderr)
+        self.assertEqual((static / "lab.js").read_text(), "")
+        self.assertFalse((static / "lab-module.js").exists())
+
     def test_a_figure_of_a_chapter_that_nobody_makes(self):
         self.change(STAGE1, "![](hemisphere)", "![](hemispheres)")
         self.assert_refused("book", f"{STAGE1}:", "figure 'hemispheres' is not in figures.toml")

@@ -22,6 +22,7 @@ from tools.book.page import page_of, weave
 from tools.book.sections import write_sections
 from tools.book.set_formulas import set_formulas
 from tools.book.symbols import symbols_page
+from tools.live.build import add_box, check_live
 from tools.weave.formulas import check_formulas, formulas, formulas_of_header
 from tools.weave.names import check_names, check_text
 from tools.weave.offline import check_offline
@@ -152,12 +153,14 @@ def main():
     shutil.copy(BUILD / "node/node_modules/minisearch/dist/umd/index.js", static / "minisearch.js")
     copy_fonts(static)
     figures = PlacedFigures(source / "figures")
+    check_live(figures.entries)
     write_source(source, figures)
     check_every_formula(figures)
     for header in stage_headers() + core_headers():
         check_transcripts(header)
     if "--check" in sys.argv[1:]:
         return
+    add_box(static)
     os.environ["BOOK_STATIC"] = str(static)
     run_sphinx(source)
     finish(BUILD / "book")

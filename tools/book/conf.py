@@ -22,8 +22,8 @@ fonts = [
     for name in ("source-serif-4", "jetbrains-mono")
     for style in ("wght.css", "wght-italic.css")
 ]
-html_css_files = [*fonts, "formulas.css", "book.css", "gallery.css", "live.css"]
-html_js_files = ["keys.js", "contents.js", "live.js", "viewer.js", "gallery.js"]
+html_css_files = [*fonts, "formulas.css", "book.css", "gallery.css", "live.css", "lab.css"]
+html_js_files = ["keys.js", "contents.js", "live.js", "lab.js", "viewer.js", "gallery.js"]
 html_sidebars = {
     "**": [
         "sidebar/brand.html",

@@ -1,0 +1,103 @@
+"""The lab's box as WebAssembly: all stages, right and with known mistakes.
+
+The mistakes are those of tests/mistakes/stageN.toml, made in the stages' own
+headers; each has a namespace of its own in one module. Clang makes it, with
+the headers and libraries that `tools/setup.sh live` installs.
+"""
+
+import base64
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from compare.stages import BUILD, ROOT, Failure, stage_headers
+from tests.mistakes.mistakes import CATALOGUE, read_mistakes
+from tools.weave.mistaken import header_with
+
+HERE = Path(__file__).parent
+# What a mistake is called where it is chosen, by stage and by its name.
+MISTAKES = {
+    (1, "pi-of-the-brdf-forgotten"): "without the 1/π of the BRDF",
+    (1, "uniform-cosine-forgotten"): "without the cosine, by uniform sampling",
+    (2, "lamps-counted-twice"): "lamps counted twice",
+    (3, "eta-inverted"): "with the ratio of η inverted",
+    (4, "not-divided-by-the-probability"): "not divided by the probability",
+}
+COMPILER = [os.environ.get("WASM_CXX", "clang++"), "--target=wasm32-wasi"]
+# As the native programs are made, so that the bits are theirs.
+OPTIONS = ["-std=c++20", "-O2", "-DNDEBUG", "-ffp-contract=off", "-msimd128", "-fno-exceptions", "-fno-rtti"]
+
+
+def compiler_is_there(folder):
+    probe = folder / "probe.cpp"
+    probe.write_text("#include <vector>\nint main() { return std::vector<int>(1)[0]; }\n")
+    words = [*COMPILER, "-fno-exceptions", probe, "-o", folder / "probe.wasm"]
+    return bool(shutil.which(COMPILER[0])) and not subprocess.run(words, capture_output=True).returncode
+
+
+def find_glm(folder):
+    """A folder with GLM alone: its neighbors are for another machine."""
+    include = folder / "include"
+    include.mkdir(exist_ok=True)
+    for place in ("/usr/include", "/usr/local/include", "/opt/homebrew/include"):
+        if (Path(place) / "glm").is_dir() and not (include / "glm").exists():
+            (include / "glm").symlink_to(Path(place) / "glm")
+    return include
+
+
+def write_variants(folder):
+    """Writes variants.inc. Returns what the page has to know of each."""
+    headers = [str(path.relative_to(ROOT)) for path in stage_headers()]
+    tracers, facts = [], []
+    for path in stage_headers():
+        stage = int(path.parent.name[0])
+        tracers.append(f"stage{stage}::PathTracer")
+        facts.append({"stage": stage, "name": "", "label": "right", "sentence": ""})
+    for number, ((stage, name), label) in enumerate(MISTAKES.items()):
+        space = f"stage{stage}_mistake{number}"
+        changed = header_with(stage, name)[1]
+        old = f"namespace lightwalk::stage{stage} {{"
+        if changed.count(old) != 1:
+            raise Failure(f"stage {stage} has '{old}' not once")
+        file = f"mistake{number}.hpp"
+        (folder / file).write_text(changed.replace(old, f"namespace lightwalk::{space} {{"))
+        headers.append(file)
+        tracers.append(f"{space}::PathTracer")
+        known = {one.name: one.sentence for one in read_mistakes(CATALOGUE / f"stage{stage}.toml")}
+        facts.append({"stage": stage, "name": name, "label": label, "sentence": known[name]})
+    lines = [f'#include "{header}"' for header in headers]
+    calls = ", ".join(f"f<{tracer}>" for tracer in tracers)
+    (folder / "variants.inc").write_text("\n".join([*lines, f"#define LIGHTWALK_VARIANTS(f) {calls}", ""]))
+    return facts
+
+
+def run(words):
+    done = subprocess.run(words, capture_output=True, text=True)
+    if done.returncode:
+        errors = [line for line in done.stderr.splitlines() if "error" in line]
+        raise Failure(f"the live box does not compile: {(errors or [done.stderr])[0]}")
+
+
+def box_script():
+    """The script with the module and its worker; None, and a line that says
+    so, where nothing compiles for WebAssembly."""
+    folder = BUILD / "live"
+    folder.mkdir(exist_ok=True)
+    if not compiler_is_there(folder):
+        print("book: the box stays still: no WebAssembly compiler (tools/setup.sh live)", file=sys.stderr)
+        return None
+    facts = write_variants(folder)
+    made, module = folder / "box.o", folder / "box.wasm"
+    places = [f"-I{ROOT}", f"-I{folder}", f"-isystem{find_glm(folder)}"]
+    run([*COMPILER, *OPTIONS, *places, "-c", HERE / "box.cpp", "-o", made])
+    # Linked without -O: Clang would call wasm-opt where there is one.
+    run([*COMPILER, "-mexec-model=reactor", "-Wl,--strip-all", made, "-o", module])
+    box = {
+        "wasm": base64.b64encode(module.read_bytes()).decode(),
+        "worker": (HERE / "worker.js").read_text(),
+        "variants": facts,
+    }
+    return f"window.lightwalkBox = {json.dumps(box, ensure_ascii=False)};\n"

@@ -1,0 +1,62 @@
+// Paints the lab's box, a sample of each pixel at a time, beside the page.
+// Gets the module once, then orders; sends pictures, and paths that were asked.
+"use strict";
+let box, job, samples, running, queued, shownAt;
+const turn = new MessageChannel(); // quicker than setTimeout, and lets messages in
+const next = () => {
+  if (!queued) turn.port2.postMessage(0);
+  queued = true;
+};
+
+const show = () => {
+  const at = box.show(job.exposure);
+  const rgba = new Uint8ClampedArray(box.memory.buffer, at, 4 * job.size * job.size).slice();
+  postMessage({ rgba, samples, done: samples >= job.most }, [rgba.buffer]);
+  shownAt = performance.now();
+};
+
+const begin = () => {
+  const { kd, ks, kt, eta, fresnel } = job.ball;
+  box.set_ball(kd, ks, kt, eta, fresnel);
+  box.begin(job.size, job.light, job.diffuse, job.bounces, job.uniform, job.seed);
+  samples = 0;
+};
+
+const work = () => {
+  queued = false;
+  if (!running || samples >= job.most) return;
+  samples = box.add_pass(job.variant);
+  if (samples < 4 || samples >= job.most || performance.now() - shownAt > 80) show();
+  next();
+};
+turn.port1.onmessage = work;
+
+const orders = {
+  start: ({ bytes }) => {
+    box = new WebAssembly.Instance(new WebAssembly.Module(bytes), {}).exports;
+    box._initialize();
+  },
+  paint: (asked) => {
+    job = asked;
+    begin();
+    orders.go();
+  },
+  expose: ({ exposure }) => {
+    job.exposure = exposure;
+    show();
+  },
+  go: () => {
+    running = true;
+    next();
+  },
+  follow: ({ column, row, sample }) => {
+    const count = box.follow(job.variant, column, row, sample);
+    const path = new Float32Array(box.memory.buffer, box.path(), 3 + 16 * count).slice();
+    postMessage({ path, column, row, sample });
+  },
+  pause: () => {
+    running = false;
+    show();
+  },
+};
+onmessage = ({ data }) => orders[data.order](data);
