@@ -87,6 +87,52 @@ class Geometry {
     return largest;
   }
 
+  /// Calls `use(shape, hit)` for each shape, in the order of the slots, with
+  /// what is the same in all of its hits.
+  template <class Use>
+  void for_each_shape(Use use) const {
+    Hit hit{};
+    std::int32_t first = 0;
+    const auto use_all = [&](const auto& list) {
+      for (std::size_t slot = 0; slot < list.slot_count(); ++slot) {
+        const std::size_t index = list.index(slot);
+        if (index >= list.shapes().size())
+          continue;  // a lane that is not set
+        hit.slot = first + static_cast<std::int32_t>(slot);
+        hit.shape_index = static_cast<std::uint32_t>(index);
+        hit.material = list.shapes()[index].material;
+        hit.light = list.shapes()[index].light;
+        use(list.shapes()[index], hit);
+      }
+      first += static_cast<std::int32_t>(list.slot_count());
+      hit.shape_type =
+          static_cast<ShapeType>(static_cast<int>(hit.shape_type) + 1);
+    };
+    std::apply([&](const auto&... list) { (use_all(list), ...); }, lists_);
+  }
+
+  /// Whether there are so many shapes of a type that a tree is searched.
+  bool has_tree() const {
+    return std::apply(
+        [](const auto&... list) { return (!list.tree().empty() || ...); },
+        lists_);
+  }
+
+  /// The first of the shapes that a ray meets.
+  struct Closest {
+    float distance;  ///< the search's limit where it meets nothing
+    std::int32_t slot;
+  };
+
+  /// What the ray meets first before `limit`.
+  Closest intersect(const Ray& ray, float limit) const {
+    Nearest nearest(limit);
+    std::apply(
+        [&](const auto&... list) { (nearest.consider(list, ray), ...); },
+        lists_);
+    return nearest.closest();
+  }
+
   /// The first surface that the ray meets, if there is one.
   std::optional<Hit> nearest_hit(const Ray& ray) const {
     const Closest closest = intersect(ray, infinity);
@@ -121,12 +167,6 @@ class Geometry {
     return std::get<List>(lists_);
   }
 
-  /// The first of the shapes that a ray meets.
-  struct Closest {
-    float distance;  ///< the search's limit where it meets nothing
-    std::int32_t slot;
-  };
-
   /// Where the ray meets the shapes of a pack. The one that it leaves is met
   /// again at a distance that the ray knows.
   template <class Pack>
@@ -135,6 +175,18 @@ class Geometry {
     Float8 t = pack.intersect(ray);
     if (ray.leaves >> 3 == number) t[ray.leaves & 7] = ray.again;
     return t;
+  }
+  /// Whether the ray meets one of the shapes of a pack before `end`.
+  template <class Pack>
+  static bool blocks(const Pack& pack, std::int32_t number, const Ray& ray,
+                     float end) {
+    unsigned lanes = lanes_of(pack.blocks(ray, end));
+    if (ray.leaves >> 3 == number) {
+      const unsigned left = 1u << (ray.leaves & 7);
+      const bool again = 0 < ray.again && ray.again < end;
+      lanes = again ? lanes | left : lanes & ~left;
+    }
+    return lanes != 0;
   }
   static_assert(lane_count == 8);
 
@@ -193,15 +245,6 @@ class Geometry {
   };
   // #endregion nearest
 
-  /// What the ray meets first before `limit`.
-  Closest intersect(const Ray& ray, float limit) const {
-    Nearest nearest(limit);
-    std::apply(
-        [&](const auto&... list) { (nearest.consider(list, ray), ...); },
-        lists_);
-    return nearest.closest();
-  }
-
   template <class Shape, class Pack>
   static bool occludes(const ShapeList<Shape, Pack>& list, const Ray& ray,
                        float distance, std::int32_t& packs_seen) {
@@ -212,8 +255,7 @@ class Geometry {
     }
     for (std::int32_t i = first; i < packs_seen; ++i) {
       const Pack& pack = list.packs()[static_cast<std::size_t>(i - first)];
-      const Float8 t = distances(pack, i, ray);
-      if (any((t > 0.0f) & (t < distance))) return true;
+      if (blocks(pack, i, ray, distance)) return true;
     }
     return false;
   }
@@ -224,9 +266,8 @@ class Geometry {
       std::int32_t first) {
     bool occluded = false;
     list.tree().walk(ray, distance, [&](std::uint32_t i) {
-      const Float8 t = distances(list.packs()[i],
-                                 first + static_cast<std::int32_t>(i), ray);
-      occluded = any((t > 0.0f) & (t < distance));
+      const std::int32_t number = first + static_cast<std::int32_t>(i);
+      occluded = blocks(list.packs()[i], number, ray, distance);
       return occluded ? -1 : distance;  // nothing matters any more
     });
     return occluded;

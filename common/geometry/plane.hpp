@@ -23,43 +23,61 @@ struct Plane {
   static constexpr const Light* light = nullptr;  ///< it has no end
 };
 
-/// What it takes to intersect eight planes. A lane that is not set is hit by
-/// no ray.
-struct PlanePack {
-  Vec3x8 normal;
-  Float8 distance{};
+/// What it takes to intersect planes: eight with one ray, or one with many.
+template <class Vector, class Number>
+struct PlaneForm {
+  Vector normal;
+  Number distance{};
 
   // #region plane-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  Float8 intersect(const Ray& ray) const {
-    const Float8 height = dot(normal, ray.origin) + distance;
+  template <class Rays>
+  auto intersect(const Rays& ray) const {
+    const auto height = dot(normal, ray.origin) + distance;
     return -height / dot(normal, ray.direction);
   }
   // #endregion plane-intersection
 
+  /// Whether the ray meets it before `end`: both ends of that piece are on
+  /// different sides.
+  template <class Rays, class Distance>
+  auto blocks(const Rays& ray, const Distance& end) const {
+    const auto here = dot(normal, ray.origin) + distance;
+    const auto there = here + end * dot(normal, ray.direction);
+    return here * there < 0.0f;
+  }
+};
+
+inline PlaneForm<Vec3, float> form_of(const Plane& plane) {
+  return {plane.normal, plane.distance};
+}
+
+/// Eight planes. A lane that is not set is hit by no ray.
+struct PlanePack : PlaneForm<Vec3x8, Float8> {
   void set(int lane, const Plane& plane) {
     normal.set(lane, plane.normal);
     distance[lane] = plane.distance;
   }
 };
 
-/// The point of a plane below `x`, which is `height` lengths of `normal` off
-/// it. That length is 1 but for rounding: near the origin, where floats are
-/// fine, it must not be left to that.
-inline Vec3 point_below(const DoubleVec3& x, double height,
-                        const Vec3& normal) {
-  const DoubleVec3 n(normal);
-  return Vec3(x - height / dot(n, n) * n);
+/// The point of a plane below `x`, which is `height` lengths of the normal
+/// `n` off it. That length is 1 but for rounding: near the origin, where
+/// floats are fine, it must not be left to that. So it is divided by the
+/// square $1 + \epsilon$ of that length, which is to be multiplied by
+/// $1 - \epsilon$.
+template <class DoubleVector, class Double>
+DoubleVector point_below(const DoubleVector& x, const Double& height,
+                         const DoubleVector& n) {
+  return x - height * (2.0 - dot(n, n)) * n;
 }
 
 /// Completes a hit at `hit.position`, which rounding has put near the plane,
 /// and moves it back by `back` within the plane.
 inline void place_hit(const Plane& plane, const Vec3& back, Hit& hit) {
   hit.normal = plane.normal;
-  const DoubleVec3 x(hit.position - back);
-  const double height =
-      dot(DoubleVec3(plane.normal), x) + static_cast<double>(plane.distance);
-  hit.position = point_below(x, height, plane.normal);
+  const DoubleVec3 x(hit.position - back), n(plane.normal);
+  const double height = dot(n, x) + static_cast<double>(plane.distance);
+  hit.position = Vec3(point_below(x, height, n));
   hit.diameter = 0;
 }
 

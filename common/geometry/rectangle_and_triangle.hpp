@@ -64,43 +64,70 @@ struct Triangle : FlatShape {
   using FlatShape::FlatShape;
 };
 
-/// What it takes to intersect eight rectangles, or eight triangles. A lane
-/// that is not set is hit by no ray.
-template <class Shape>
-struct FlatPack {
-  Vec3x8 corner, normal, dual_u, dual_v;
-  Float8 size_u{}, size_v{};  // of the duals
+/// What it takes to intersect rectangles, or triangles: eight with one ray, or
+/// one with many.
+template <class Shape, class Vector, class Number>
+struct FlatForm {
+  Vector corner, normal, dual_u, dual_v;
+  Number size_u{}, size_v{};  // of the duals
 
   // #region flat-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  Float8 intersect(const Ray& ray) const {
-    const Vec3x8 from_corner = ray.origin - corner;
-    const Float8 slope = dot(normal, ray.direction);
-    const Float8 distance = -dot(normal, from_corner) / slope;
-    const Vec3x8 x = from_corner + scale(distance, ray.direction);
-    const Float8 s = dot(dual_u, x);
-    const Float8 t = dot(dual_v, x);
-    const Float8 cosine = abs(slope);
-    const Float8 over_s = min(0x1p-21f * (1.0f + distance * size_u), cosine);
-    const Float8 over_t = min(0x1p-21f * (1.0f + distance * size_v), cosine);
-    Int8 inside = (s * cosine >= -over_s) & (t * cosine >= -over_t);
+  template <class Rays>
+  auto intersect(const Rays& ray) const {
+    const auto from_corner = ray.origin - corner;
+    const auto slope = dot(normal, ray.direction);
+    const auto distance = -dot(normal, from_corner) / slope;
+    const auto x = from_corner + distance * ray.direction;
+    const auto s = dot(dual_u, x);
+    const auto t = dot(dual_v, x);
+    const auto cosine = abs(slope);
+    const auto over_s = min(0x1p-21f * (1.0f + distance * size_u), cosine);
+    const auto over_t = min(0x1p-21f * (1.0f + distance * size_v), cosine);
+    auto inside = (s * cosine >= -over_s) & (t * cosine >= -over_t);
     if constexpr (std::is_same_v<Shape, Rectangle>) {
       inside = inside & ((1.0f - s) * cosine >= -over_s) &
                ((1.0f - t) * cosine >= -over_t);
     } else {
       inside = inside & ((1.0f - s - t) * cosine >= -(over_s + over_t));
     }
-    return select(inside, distance, broadcast(infinity));
+    return select(inside, distance, infinity);
   }
   // #endregion flat-intersection
 
-  void set(int lane, const FlatShape& flat) {
-    corner.set(lane, flat.corner);
-    normal.set(lane, flat.normal);
-    dual_u.set(lane, flat.dual_u());
-    dual_v.set(lane, flat.dual_v());
-    size_u[lane] = length(flat.dual_u());
-    size_v[lane] = length(flat.dual_v());
+  /// Whether the ray meets it before `end`.
+  template <class Rays, class Distance>
+  auto blocks(const Rays& ray, const Distance& end) const {
+    const auto t = intersect(ray);
+    return (t > 0.0f) & (t < end);
+  }
+};
+
+template <class Shape>
+FlatForm<Shape, Vec3, float> form_of_flat(const Shape& flat) {
+  const Vec3 dual_u = flat.dual_u(), dual_v = flat.dual_v();
+  return {flat.corner, flat.normal,    dual_u,
+          dual_v,      length(dual_u), length(dual_v)};
+}
+inline auto form_of(const Rectangle& rectangle) {
+  return form_of_flat(rectangle);
+}
+inline auto form_of(const Triangle& triangle) {
+  return form_of_flat(triangle);
+}
+
+/// Eight rectangles, or eight triangles. A lane that is not set is hit by no
+/// ray.
+template <class Shape>
+struct FlatPack : FlatForm<Shape, Vec3x8, Float8> {
+  void set(int lane, const Shape& flat) {
+    const auto form = form_of(flat);
+    this->corner.set(lane, form.corner);
+    this->normal.set(lane, form.normal);
+    this->dual_u.set(lane, form.dual_u);
+    this->dual_v.set(lane, form.dual_v);
+    this->size_u[lane] = form.size_u;
+    this->size_v[lane] = form.size_v;
   }
 };
 
@@ -108,10 +135,9 @@ struct FlatPack {
 /// and moves it back by `back` within the plane.
 inline void place_hit(const FlatShape& flat, const Vec3& back, Hit& hit) {
   hit.normal = flat.normal;
-  const DoubleVec3 x(hit.position - back);
-  const double height =
-      dot(DoubleVec3(flat.normal), x - DoubleVec3(flat.corner));
-  hit.position = point_below(x, height, flat.normal);
+  const DoubleVec3 x(hit.position - back), n(flat.normal);
+  const double height = dot(n, x - DoubleVec3(flat.corner));
+  hit.position = Vec3(point_below(x, height, n));
   hit.diameter = 0;
 }
 

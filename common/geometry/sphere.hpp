@@ -35,54 +35,91 @@ struct Sphere {
   const Light* light = nullptr;  ///< the scene's light that it is, if any
 };
 
-/// What it takes to intersect eight spheres. A lane that is not set is hit by
-/// no ray.
-struct SpherePack {
-  Vec3x8 center;
-  Float8 radius_squared = broadcast(-1.0f);
+/// What it takes to intersect spheres: eight with one ray, or one with many.
+template <class Vector, class Number>
+struct SphereForm {
+  Vector center;
+  Number radius_squared;
   bool has_large = false;
-  Vec3x8 anchor, spoke;  // of a large sphere
-  Float8 error{};        // spoke . spoke - r^2
+  Vector anchor, spoke;  // of a large sphere
+  Number error;          // spoke . spoke - r^2
 
   // #region sphere-intersection
   /// Distances along the ray; what is not above 0 or not finite is no hit.
-  Float8 intersect(const Ray& ray) const {
-    const Vec3x8 f = ray.origin - center;
-    const Float8 b = -dot(f, ray.direction);
-    const Vec3x8 beside = f + scale(b, ray.direction);
-    const Float8 discriminant = radius_squared - dot(beside, beside);
-    const Float8 root = sqrt(discriminant);  // not a number where it misses
-    const Float8 product =
+  template <class Rays>
+  auto intersect(const Rays& ray) const {
+    const auto f = ray.origin - center;
+    const auto b = -dot(f, ray.direction);
+    const auto beside = f + b * ray.direction;
+    const auto discriminant = radius_squared - dot(beside, beside);
+    const auto root = sqrt(discriminant);  // not a number where it misses
+    const auto product =
         has_large ? product_of_roots(ray) : dot(f, f) - radius_squared;
-    const Int8 center_is_ahead = b > 0.0f;
-    const Float8 q = b + select(center_is_ahead, root, -root);
-    const Float8 other = product / q;
-    const Float8 first = select(center_is_ahead, other, q);
-    const Float8 second = select(center_is_ahead, q, other);
+    const auto center_is_ahead = b > 0.0f;
+    const auto q = b + select(center_is_ahead, root, -root);
+    const auto other = product / q;
+    const auto first = select(center_is_ahead, other, q);
+    const auto second = select(center_is_ahead, q, other);
     return select(first > 0.0f, first, second);
   }
   // #endregion sphere-intersection
 
+  /// Whether the ray meets it before `end`: the point of that piece that is
+  /// nearest to the center is inside, and not both of its ends are.
+  template <class Rays, class Distance>
+  auto blocks(const Rays& ray, const Distance& end) const {
+    if (has_large) {
+      const auto t = intersect(ray);
+      return (t > 0.0f) & (t < end);
+    }
+    const auto f = ray.origin - center;
+    const auto b = -dot(f, ray.direction);
+    const auto nearest = f + max(0.0f, min(b, end)) * ray.direction;
+    const auto last = f + end * ray.direction;
+    const auto starts_outside = dot(f, f) > radius_squared;
+    const auto ends_outside = dot(last, last) > radius_squared;
+    return (dot(nearest, nearest) < radius_squared) &
+           (starts_outside | ends_outside);
+  }
+
   /// The same as f . f - r^2, with all its digits if a sphere is large.
-  Float8 product_of_roots(const Ray& ray) const {
-    const Vec3x8 g = ray.origin - anchor;
+  template <class Rays>
+  auto product_of_roots(const Rays& ray) const {
+    const auto g = ray.origin - anchor;
     return dot(g, g + spoke + spoke) + error;
+  }
+};
+
+inline SphereForm<Vec3, float> form_of(const Sphere& sphere) {
+  const DoubleVec3 c(sphere.center);
+  const auto r = static_cast<double>(sphere.radius);
+  const double away = length(c);
+  const bool large = r > 16 * std::abs(away - r);
+  const Vec3 anchor = large ? Vec3(c * (1 - r / away)) : sphere.center;
+  const DoubleVec3 spoke = DoubleVec3(anchor) - c;
+  return {.center = sphere.center,
+          .radius_squared = sphere.radius * sphere.radius,
+          .has_large = large,
+          .anchor = anchor,
+          .spoke = Vec3(spoke),
+          .error = static_cast<float>(dot(spoke, spoke) - r * r)};
+}
+
+/// Eight spheres. A lane that is not set is hit by no ray.
+struct SpherePack : SphereForm<Vec3x8, Float8> {
+  SpherePack() {
+    radius_squared = broadcast(-1.0f);
+    error = broadcast(0.0f);
   }
 
   void set(int lane, const Sphere& sphere) {
-    center.set(lane, sphere.center);
-    radius_squared[lane] = sphere.radius * sphere.radius;
-
-    const DoubleVec3 c(sphere.center);
-    const auto r = static_cast<double>(sphere.radius);
-    const double away = length(c);
-    const bool large = r > 16 * std::abs(away - r);
-    has_large = has_large || large;
-    const Vec3 nearby = large ? Vec3(c * (1 - r / away)) : sphere.center;
-    const DoubleVec3 from_center = DoubleVec3(nearby) - c;
-    anchor.set(lane, nearby);
-    spoke.set(lane, Vec3(from_center));
-    error[lane] = static_cast<float>(dot(from_center, from_center) - r * r);
+    const auto form = form_of(sphere);
+    center.set(lane, form.center);
+    radius_squared[lane] = form.radius_squared;
+    has_large = has_large || form.has_large;
+    anchor.set(lane, form.anchor);
+    spoke.set(lane, form.spoke);
+    error[lane] = form.error;
   }
 };
 

@@ -18,30 +18,34 @@
 
 namespace lightwalk {
 
+// `Vector` is a Vec3, or a row of them: see common/rows.
+
 // #region basis
 /// Three unit axes, each perpendicular to the others, right-handed.
-struct Basis {
-  Vec3 tangent, bitangent, normal;
+template <class Vector>
+struct BasisOf {
+  Vector tangent, bitangent, normal;
 
   /// `n` must be a unit vector.
-  explicit Basis(const Vec3& n) : normal(n) {
-    const float sign = std::copysign(1.0f, n.z);
-    const float a = -1 / (sign + n.z);
-    const float b = n.x * n.y * a;
-    tangent = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+  explicit BasisOf(const Vector& n) : normal(n) {
+    const auto sign = copysign(1.0f, n.z);
+    const auto a = -1.0f / (sign + n.z);
+    const auto b = n.x * n.y * a;
+    tangent = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
     bitangent = {b, sign + n.y * n.y * a, -n.y};
   }
 
   /// From coordinates along the three axes to the world's.
-  Vec3 to_world(const Vec3& v) const {
+  Vector to_world(const Vector& v) const {
     return v.x * tangent + v.y * bitangent + v.z * normal;
   }
 
   /// From the world's coordinates to those along the three axes.
-  Vec3 to_local(const Vec3& v) const {
+  Vector to_local(const Vector& v) const {
     return {dot(v, tangent), dot(v, bitangent), dot(v, normal)};
   }
 };
+using Basis = BasisOf<Vec3>;
 // #endregion basis
 
 }  // namespace lightwalk

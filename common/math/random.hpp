@@ -25,7 +25,10 @@ namespace lightwalk {
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample)
-      : state_(mix(mix(mix(seed + step) + pixel) + sample)) {}
+      : state_(key(seed, pixel, sample)) {}
+  /// Goes on where another sequence is.
+  explicit Random(std::uint64_t state) : state_(state) {}
+  std::uint64_t state() const { return state_; }
 
   /// Uniform in [0, 1): a multiple of 2^-24, never 1.
   float uniform() { return to_float(next() >> 40); }
@@ -38,15 +41,25 @@ class Random {
     return {x, y};
   }
 
- private:
+  // `Bits` is a std::uint64_t, or a row of them: see common/rows.
+
   static constexpr std::uint64_t step = 0x9e3779b97f4a7c15;
 
-  static constexpr std::uint64_t mix(std::uint64_t z) {
+  template <class Bits>
+  static constexpr Bits mix(Bits z) {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
     z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
     return z ^ (z >> 31);
   }
 
+  /// The state in which a sample's sequence begins.
+  template <class Bits>
+  static constexpr Bits key(std::uint64_t seed, const Bits& pixel,
+                            const Bits& sample) {
+    return mix<Bits>(mix<Bits>(mix(seed + step) + pixel) + sample);
+  }
+
+ private:
   std::uint64_t next() { return mix(state_ += step); }
 
   static float to_float(std::uint64_t bits24) {

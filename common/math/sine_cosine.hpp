@@ -15,6 +15,8 @@
 // 10^{-9}$), and what is left is rounding. The rest of the wave is this piece
 // over and over, forwards and backwards, so an angle anywhere is folded into
 // it. Counted in turns of the circle instead of radians the folding is exact.
+//
+// `Number` is a float, or a row of them: see common/rows.
 
 #include <cmath>
 
@@ -24,10 +26,11 @@ namespace lightwalk {
 
 // #region sine-cosine
 /// The sine of an angle of -1/4 to 1/4 turns.
-inline float sine_of_turns(float turns) {
-  const float x = two_pi * turns;
-  const float y = x * x;
-  const float higher =
+template <class Number>
+Number sine_of_turns(const Number& turns) {
+  const Number x = two_pi * turns;
+  const Number y = x * x;
+  const Number higher =
       y * (-1.6666657e-1f +
            y * (8.333017e-3f + y * (-1.9806615e-4f + y * 2.6000548e-6f)));
   return x + x * higher;
@@ -35,20 +38,30 @@ inline float sine_of_turns(float turns) {
 
 /// How far from the half-turn the angle is, in [-1/2, 1/2] turns: 1/2 at 0,
 /// 0 at pi and -1/2 just before 2 pi.
-inline float turns_to_half(float radians) {
-  const float turns = radians * (1 / two_pi);
-  return 0.5f - (turns - std::floor(turns));
+template <class Number>
+Number turns_to_half(const Number& radians) {
+  const Number turns = radians * (1 / two_pi);
+  return 0.5f - (turns - floor(turns));
+}
+
+template <class Number>
+Number sine(const Number& radians) {
+  const Number turns = turns_to_half(radians);
+  const Number folded = 0.25f - abs(abs(turns) - 0.25f);
+  return sine_of_turns<Number>(copysign(folded, turns));
+}
+template <class Number>
+Number cosine(const Number& radians) {
+  return sine_of_turns<Number>(abs(turns_to_half(radians)) - 0.25f);
 }
 
 /// Sine and cosine of an angle in radians, to 5e-7 from 0 to 2 pi. Beyond it
 /// they are as periodic as the angle is exact.
 inline float sin(float radians) {
-  const float turns = turns_to_half(radians);
-  const float folded = 0.25f - std::abs(std::abs(turns) - 0.25f);
-  return sine_of_turns(std::copysign(folded, turns));
+  return sine(radians);
 }
 inline float cos(float radians) {
-  return sine_of_turns(std::abs(turns_to_half(radians)) - 0.25f);
+  return cosine(radians);
 }
 // #endregion sine-cosine
 

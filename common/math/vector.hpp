@@ -25,6 +25,14 @@ using glm::dot;
 using glm::length;
 using glm::normalize;
 
+// Also of rows of numbers, in formulas that are written for both.
+using std::abs;
+using std::copysign;
+using std::floor;
+using std::max;
+using std::min;
+using std::sqrt;
+
 inline constexpr float pi = 3.14159265358979324f;
 inline constexpr float two_pi = 2 * pi;
 inline constexpr float inverse_pi = 1 / pi;

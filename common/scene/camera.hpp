@@ -23,12 +23,18 @@ struct Camera {
   /// The ray through a point of a pixel; `u` = (0, 0) is the pixel's upper
   /// left corner. Uniform `u` in [0, 1)^2 averages over the pixel's area.
   Ray ray(int column, int row, const Vec2& u) const {
-    const float across =
-        (static_cast<float>(column) + u.x) / static_cast<float>(width);
-    const float down =
-        (static_cast<float>(row) + u.y) / static_cast<float>(height);
-    const Vec3 way = forward + (1 - 2 * across) * left + (1 - 2 * down) * up;
-    return {origin, normalize(way)};
+    return {origin, direction<Vec3>(static_cast<float>(column) + u.x,
+                                    static_cast<float>(row) + u.y)};
+  }
+
+  /// The direction to a point of the picture, in pixels from the upper left
+  /// corner: `Vector` is a Vec3, or a row of them (see common/rows).
+  template <class Vector, class Number>
+  Vector direction(const Number& column, const Number& row) const {
+    const Number across = column / static_cast<float>(width);
+    const Number down = row / static_cast<float>(height);
+    return normalize(forward + (1.0f - 2.0f * across) * Vector(left) +
+                     (1.0f - 2.0f * down) * Vector(up));
   }
 };
 
