@@ -23,22 +23,30 @@ endforeach()
 # doctest's own code and ours that reads scenes and images, compiled once.
 file(GLOB support CONFIGURE_DEPENDS support/*.cpp)
 list(FILTER support EXCLUDE REGEX "/(main|run_suite)\\.cpp$")
-add_library(test_support OBJECT ${support})
-target_link_libraries(test_support PUBLIC lightwalk doctest::doctest
-                                          tomlplusplus::tomlplusplus)
-target_include_directories(test_support PUBLIC ${quiet_folder}
-                                               ${CMAKE_CURRENT_SOURCE_DIR})
-target_compile_definitions(test_support PUBLIC
-                           SCENES="${CMAKE_SOURCE_DIR}/scenes"
-                           GOLDENS="${CMAKE_CURRENT_SOURCE_DIR}/golden"
-                           $<$<CXX_COMPILER_ID:GNU>:_GLIBCXX_ASSERTIONS>)
-if(NOT MSVC)
-  target_compile_options(test_support PRIVATE $<$<CONFIG:Release>:-O1>)
-endif()
-
-add_library(test_main OBJECT support/main.cpp)
-target_link_libraries(test_main PUBLIC test_support
-                                PRIVATE program_manifest)
+# add_test_support(SUFFIX OPTIONS...): test_support and test_main, with options
+# that what is linked to them needs, too.
+function(add_test_support suffix)
+  add_library(test_support${suffix} OBJECT ${support})
+  target_link_libraries(test_support${suffix}
+                        PUBLIC lightwalk doctest::doctest
+                               tomlplusplus::tomlplusplus)
+  target_include_directories(test_support${suffix}
+                             PUBLIC ${quiet_folder} ${CMAKE_CURRENT_SOURCE_DIR})
+  target_compile_definitions(
+    test_support${suffix}
+    PUBLIC SCENES="${CMAKE_SOURCE_DIR}/scenes"
+           GOLDENS="${CMAKE_CURRENT_SOURCE_DIR}/golden"
+           $<$<CXX_COMPILER_ID:GNU>:_GLIBCXX_ASSERTIONS>)
+  target_compile_options(test_support${suffix} PUBLIC ${ARGN})
+  if(NOT MSVC)
+    target_compile_options(test_support${suffix}
+                           PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+  add_library(test_main${suffix} OBJECT support/main.cpp)
+  target_link_libraries(test_main${suffix} PUBLIC test_support${suffix}
+                                           PRIVATE program_manifest)
+endfunction()
+add_test_support("")
 
 # Runs a suite, tells how it ended, and stops a test that does not end.
 if(UNIX)
@@ -64,14 +72,16 @@ set(leak_options
     "LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/leaks.supp:print_suppressions=0"
 )
 
-# add_suite(NAME): NAME_tests, from the folder NAME.
+# add_suite(NAME [SUFFIX]): NAME_tests, from the folder NAME, with the
+# test_support of that suffix.
 function(add_suite name)
   file(GLOB sources CONFIGURE_DEPENDS ${name}/*.cpp)
   if(NOT sources) # a stage that is being written
     return()
   endif()
   add_executable(${name}_tests ${sources})
-  target_link_libraries(${name}_tests PRIVATE test_support test_main)
+  target_link_libraries(${name}_tests PRIVATE test_support${ARGN}
+                                              test_main${ARGN})
   set_target_properties(${name}_tests PROPERTIES BUILD_RPATH_USE_ORIGIN ON
                                                  BUILD_RPATH "${program_folder}")
   add_dependencies(${name}_tests image_module)
@@ -127,7 +137,18 @@ function(add_one_file_suite name)
   endif()
 endfunction()
 
+# What works on rows of paths is tested with the widest rows that there are
+# here. All of its suite is compiled for them, as packs of shapes have another
+# layout there.
 foreach(stage IN LISTS stages)
-  add_suite(${stage})
-  add_one_file_suite(${stage})
+  if(stage IN_LIST stages_of_rows)
+    if(NOT TARGET test_support_of_rows)
+      add_test_support(_of_rows ${native_options})
+    endif()
+    target_compile_options(${stage}_header PRIVATE ${native_options})
+    add_suite(${stage} _of_rows)
+  else()
+    add_suite(${stage})
+    add_one_file_suite(${stage})
+  endif()
 endforeach()

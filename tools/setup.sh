@@ -25,7 +25,7 @@ debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
   libbenchmark-dev nlohmann-json3-dev python3
   python3-jsonschema"
 brew_packages="cmake ninja glm openimageio cli11 tomlplusplus doctest
-  google-benchmark nlohmann-json"
+  google-benchmark nlohmann-json highway"
 if [ "${1:-}" = site ]; then
   debian_packages="python3-venv"
   # Other sources of node have npm in the same package.
@@ -109,7 +109,7 @@ else
     cat >&2 <<'TEXT'
 setup: this system has neither apt-get nor Homebrew. Please install:
   a C++20 compiler, CMake 3.22 or newer, Ninja (optional), GLM, OpenImageIO,
-  CLI11, toml++ 3, nlohmann/json, doctest, Google Benchmark,
+  CLI11, toml++ 3, nlohmann/json, doctest, Google Benchmark, Highway (optional),
   Python 3.11 with jsonschema;
   for the book Node 20 with npm, for the slides also Chromium or Chrome.
   With vcpkg: `vcpkg install` in this folder reads vcpkg.json.

@@ -171,7 +171,8 @@ std::optional<int> parse_options(int argc, char** argv,
   app.option_defaults()->multi_option_policy(
       CLI::MultiOptionPolicy::TakeLast);
   app.set_version_flag("--version",
-                       program + " (Lightwalk) " + LIGHTWALK_VERSION);
+                       program + " (Lightwalk) " + LIGHTWALK_VERSION +
+                           (expected.way.empty() ? "" : ", ") + expected.way);
   app.add_option("scene", options.scene, "Scene file (.toml)")->required();
   app.add_option("-o,--output", options.outputs,
                  "Image to write: .exr or .pfm (linear radiance), .ppm (the "

@@ -36,6 +36,7 @@ struct Options {
 struct CommandLine {
   std::string program;      ///< its name
   std::string description;  ///< one line for --help
+  std::string way;          ///< what --version says besides; may be empty
   int most_bounces;
 };
 

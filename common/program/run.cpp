@@ -241,6 +241,7 @@ int run(int argc, char** argv, const Program& program,
   Options options;
   const CommandLine expected{.program = program.name,
                              .description = program.description,
+                             .way = program.way,
                              .most_bounces = program.most_bounces};
   if (const auto code = parse_options(argc, argv, expected, options)) {
     return *code;

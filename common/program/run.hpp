@@ -15,6 +15,7 @@ namespace lightwalk {
 struct Program {
   std::string name = {};         ///< "stage1"
   std::string description = {};  ///< one line for --help
+  std::string way = {};          ///< what --version says besides
   Syllabus syllabus = {};        ///< which scenes it can paint
   int default_bounces = bounce_cap;
   int most_bounces = bounce_cap;
@@ -33,14 +34,15 @@ struct Tracing {
 int run(int argc, char** argv, const Program& program,
         const Tracing& tracing);
 
-/// The same, with a path tracer of the caller's.
-template <class PathTracer>
+/// The same, with a path tracer of the caller's, and one that can tell of its
+/// paths.
+template <class PathTracer, class Teller = PathTracer>
 int run(int argc, char** argv, const Program& program) {
   return run(argc, argv, program,
              {.paint = paint<PathTracer>,
               .sample = [](const Scene& scene, const RenderSettings& settings,
                            const PixelSample& which) {
-                return sample_radiance(PathTracer(scene, settings), scene,
+                return sample_radiance(Teller(scene, settings), scene,
                                        settings.seed, which);
               }});
 }

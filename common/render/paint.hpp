@@ -19,14 +19,29 @@
 
 namespace lightwalk {
 
+/// A path tracer that renders whole tiles, not sample after sample.
+template <class PathTracer>
+concept RendersTiles = requires(const PathTracer& tracer, const Tile& tile,
+                                Film& film, const std::atomic<bool>& stop) {
+  tracer.render_tile(tile, film, stop);
+};
+
 /// Renders tiles with a path tracer of its own. The scene must stay.
 template <class PathTracer>
 TileRenderer tile_renderer(const Scene& scene,
                            const RenderSettings& settings) {
-  return [&scene, seed = settings.seed, tracer = PathTracer(scene, settings)](
-             const Tile& tile, Film& film, const std::atomic<bool>& stop) {
-    render_tile(tracer, scene, seed, tile, film, stop);
-  };
+  if constexpr (RendersTiles<PathTracer>) {
+    return [tracer = PathTracer(scene, settings)](
+               const Tile& tile, Film& film, const std::atomic<bool>& stop) {
+      tracer.render_tile(tile, film, stop);
+    };
+  } else {
+    return
+        [&scene, seed = settings.seed, tracer = PathTracer(scene, settings)](
+            const Tile& tile, Film& film, const std::atomic<bool>& stop) {
+          render_tile(tracer, scene, seed, tile, film, stop);
+        };
+  }
 }
 
 /// The picture of a scene whose `geometry.prepare()` has been called. Ends

@@ -44,4 +44,12 @@ inline void count_ray() {
     ask_ray_watcher();
 }
 
+/// Counts some, at most 256.
+inline void count_rays(unsigned rays) {
+  const std::uint64_t before = rays_cast;
+  rays_cast += rays;
+  if (((before ^ rays_cast) & ~std::uint64_t{0xff}) != 0) [[unlikely]]
+    ask_ray_watcher();
+}
+
 }  // namespace lightwalk

@@ -53,8 +53,10 @@ TEST_CASE("the count of allocations counts") {
 }
 
 TEST_CASE("no stage allocates memory while it renders") {
-  for_each_stage([]<class PathTracer>(int stage) {
-    const std::vector<std::string> names = golden_names(stage);
+  std::vector<std::string> names;
+  for_each_stage([&]<class PathTracer>(int stage) {
+    // A stage that paints what the one before does has no images of its own.
+    if (const auto own = golden_names(stage); !own.empty()) names = own;
     CHECK_FALSE(names.empty());
     for (const std::string& name : names) {
       CAPTURE(stage);

@@ -98,7 +98,7 @@ class Options(Programs):
         for program in built_stages():
             result = self.run_here("--version", program=program)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
-            self.assertRegex(result.stdout, rf"^{program} \(Lightwalk\) \d+\.\d+\.\d+\n$")
+            self.assertRegex(result.stdout, rf"^{program} \(Lightwalk\) \d+\.\d+\.\d+(, .+)?\n$")
 
     def test_a_scene_and_an_output_are_needed(self):
         self.wrong(about="scene is required")

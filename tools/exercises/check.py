@@ -20,9 +20,9 @@ import textwrap
 import time
 import tomllib
 
-from compare.stages import BUILD, ROOT, Failure, run, stage_headers, tests_filter
+from compare.stages import BUILD, ROOT, Failure, run, tests_filter
 from tools.exercises.marks import marks
-from tools.exercises.sheet import read_tasks, title_of
+from tools.exercises.sheet import headers_with_exercises, read_tasks, title_of
 from tools.exercises.words import plain, say
 
 NOTES = BUILD / "check"
@@ -45,19 +45,19 @@ class Judged:
 
 
 def default_stage():
-    """A handout's stage, else the newest."""
+    """A handout's stage, else the newest that has exercises."""
     note = ROOT / "handout.json"
     if note.exists():
         return json.loads(note.read_text())["stage"]
-    return int(stage_headers()[-1].parent.name[0])
+    return int(headers_with_exercises()[-1].parent.name[0])
 
 
 def header_of(stage):
-    for header in stage_headers():
+    for header in headers_with_exercises():
         if header.parent.name.startswith(f"{stage}_"):
             return header
-    known = ", ".join(header.parent.name[0] for header in stage_headers())
-    raise Failure(say("stage {stage} is not in this tree; there are {known}", stage=stage, known=known))
+    known = ", ".join(header.parent.name[0] for header in headers_with_exercises())
+    raise Failure(say("stage {stage} has no exercises in this tree; {known} have", stage=stage, known=known))
 
 
 def build(target):

@@ -76,8 +76,13 @@ def read_tasks(header):
     """The [[exercise]] tables by their numbers, unchecked: for a tree in which
     a student works."""
     path = header.with_name("exercises.toml")
-    tables = tomllib.loads(path.read_text(encoding="utf-8"))["exercise"] if path.exists() else []
-    return {table["number"]: table for table in tables}
+    sheet = tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    return {table["number"]: table for table in sheet.get("exercise", [])}
+
+
+def headers_with_exercises():
+    """The chapters that are worked at; others are for reading."""
+    return [header for header in stage_headers() if read_tasks(header)]
 
 
 def title_of(header):

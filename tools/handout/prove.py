@@ -19,9 +19,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-from compare.stages import ROOT, Failure, stage_headers, tests_filter
+from compare.stages import ROOT, Failure, tests_filter
 from tools.exercises.marks import exercises, marks
-from tools.exercises.sheet import read_sheet
+from tools.exercises.sheet import headers_with_exercises, read_sheet
 from tools.handout.contents import contents, stage_of
 from tools.handout.handout import add_to, git, make_new
 
@@ -69,7 +69,7 @@ def leaks(files, opened, solved):
 def check_contents():
     """Each handout's files, without building any."""
     tracked = git(ROOT, "ls-files").splitlines()
-    headers = stage_headers()
+    headers = headers_with_exercises()
     for header in headers:
         stage = stage_of(header)
         before = [other for other in headers if stage_of(other) < stage]
@@ -199,7 +199,7 @@ def main():
     check_contents()
     with tempfile.TemporaryDirectory() as temporary:
         student = Student(options.keep.absolute() if options.keep else Path(temporary) / "student")
-        for header in stage_headers():
+        for header in headers_with_exercises():
             stage = stage_of(header)
             if student.folder.exists():
                 add_to(stage, student.folder)

@@ -24,7 +24,7 @@ INCLUDE = re.compile(r'\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)\s*(?://.*)?$')
 ANY_INCLUDE = re.compile(r"\s*#\s*include\b")
 CONDITION = re.compile(r"\s*#\s*(if|endif)")
 # Headers of compilers and systems: they stay where they are, with their #if.
-PLATFORM = {"immintrin.h"}
+PLATFORM = {"hwy/highway.h", "immintrin.h"}
 
 
 @dataclass(frozen=True)

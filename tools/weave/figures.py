@@ -16,6 +16,7 @@ from tools.weave import (  # noqa: F401, they register
     diagrams_stage3,
     diagrams_stage4,
     diagrams_stage5,
+    diagrams_stage6,
 )
 from tools.weave.drawing import draw
 from tools.weave.png import strip_curve

@@ -1,0 +1,18 @@
+#pragma once
+
+// # Are there registers for rows?
+//
+// Highway knows the registers of each processor. One set of instructions is
+// chosen when a program is compiled: the twins of a program differ in it (see
+// program/instruction_sets.hpp). LIGHTWALK_ROWS says that registers hold four
+// floats or more, with what rows need. It is not there for a program that any
+// x86-64 can run, nor where Highway is not installed.
+
+#if __has_include(<hwy/highway.h>) && \
+    (defined(__SSSE3__) || defined(__ARM_NEON))
+#define LIGHTWALK_ROWS
+#ifndef HWY_COMPILE_ONLY_STATIC
+#define HWY_COMPILE_ONLY_STATIC
+#endif
+#include <hwy/highway.h>
+#endif

@@ -1,0 +1,636 @@
+#pragma once
+
+// # Stage 6: many paths at once
+//
+// A processor has registers that hold up to 16 floats side by side. One
+// instruction adds all 16, in the time in which it could add two single
+// numbers. Stages 1 to 5 follow one path, and one path has one number at a
+// time to offer. So most of the processor waits.
+//
+// This stage follows 16 paths together. All of them take one step, then all
+// take the next. The idea of the picture does not change. The estimator is
+// stage 5's, and so are the random numbers. Even the picture is the same, to
+// the last bit. It is only there four to six times sooner.
+//
+// ![](one-and-sixteen)
+//
+// The name for this is *SIMD*: single instruction, multiple data. A graphics
+// card works in the same way, with 32 numbers and some thousand registers.
+// So what you learn here is how one has to think there, too.
+//
+// This chapter has no exercises. It is for reading, with the loop of stage 5
+// beside it.
+//
+#include <array>
+#include <atomic>
+#include <variant>
+#include <vector>
+
+#include "common/geometry/inlining.hpp"
+#include "common/rows/material_table.hpp"
+#include "common/rows/sample_queue.hpp"
+#include "common/rows/shape_table.hpp"
+#include "stages/5_fresnel_textures/path_tracer.hpp"
+
+#ifdef LIGHTWALK_ROWS
+
+namespace lightwalk::stage6 {
+
+// ## A number for each path
+//
+// Where stage 5 has a number, this stage has a *row*: 16 numbers, one for
+// each path. The place of a path in the rows is its *lane*. `Floats` stands
+// for `float`, and `Vec3s` for `Vec3`: three rows, for x, y and z.
+//
+// The operators work lane by lane. With rows, `a * b + c` is 16 products and
+// 16 sums. So a formula stays as it is. Here are three of them, from stages 1
+// and 3. Only the types have changed, and `Bases` has a basis for each lane.
+//
+// What is behind the operators? A library, Highway, knows the instructions of
+// each processor. `common/rows/row.hpp` gives them signs: `+`, `*`, `<`.
+
+// #region formulas
+HWY_INLINE Vec3s sample_uniform_hemisphere(const Vec3s& normal,
+                                           const Vec2s& u) {
+  const Floats cos_theta = u.x;
+  const Floats sin_theta = sqrt(1.0f - u.x * u.x);
+  const Floats phi = two_pi * u.y;
+  return Bases(normal).to_world(
+      {sin_theta * cos(phi), sin_theta * sin(phi), cos_theta});
+}
+
+HWY_INLINE Vec3s sample_cosine_hemisphere(const Vec3s& normal,
+                                          const Vec2s& u) {
+  const Floats cos_theta = sqrt(1.0f - u.x);
+  const Floats sin_theta = sqrt(u.x);
+  const Floats phi = two_pi * u.y;
+  return Bases(normal).to_world(
+      {sin_theta * cos(phi), sin_theta * sin(phi), cos_theta});
+}
+
+HWY_INLINE Vec3s reflect(const Vec3s& wo, const Vec3s& normal) {
+  return 2.0f * dot(wo, normal) * normal - wo;
+}
+// #endregion formulas
+
+// ## No path can turn off alone
+//
+// What changes is `if`. One path is in glass, its neighbor is on a wall, and
+// the next instruction is the same for both. So both branches are worked out
+// for all lanes, and then each lane takes the result that is its own.
+//
+// ![](both-branches)
+//
+// The comparison of two rows is a `Mask`: yes or no for each lane. `select`
+// takes from one row where the mask is set, and from the other where it is
+// not. This table translates all of stage 5:
+//
+// | one path | sixteen paths |
+// |---|---|
+// | `if (c) x = y;` | `x = select(c, y, x);` |
+// | `return c ? a : b;` | `return select(c, a, b);` |
+// | `if (c) return sum;` | `on = on & !c;` |
+// | `if (c) rare();` | `if (any(c)) rare();` |
+// | `table[i]` | `table.at(i)`, with a row of lines |
+//
+// A path that would return stays in its lane. But it is no longer `on`, and
+// what is worked out for it until the end of the step is thrown away. Such a
+// lane may take the root of a negative number. The NaN harms nobody, since
+// no `select` takes it.
+//
+// The fourth line saves time. Where no lane at all takes a branch, it can be
+// left out. With 16 lanes that is seldom so. If one path in ten is in glass,
+// some path of 16 is in glass 81 times of 100.
+//
+// Refraction returned nothing where all light is reflected. A row cannot
+// return nothing. So `refract` always gives directions, and with them a mask
+// that says for whom they mean nothing. The early return of Fresnel's
+// equations becomes a `select` at the end.
+
+// #region refract
+/// eta_o / eta_i for light that leaves towards `wo`.
+HWY_INLINE Floats relative_eta(const Hits& hit, const Floats& eta,
+                               const Vec3s& wo) {
+  const Mask outside = dot(hit.normal, wo) > 0.0f;
+  return select(outside, 1.0f / eta, eta);
+}
+
+struct Refracted {
+  Vec3s wi;
+  Mask total;  ///< all light is reflected, and wi is no direction
+};
+
+HWY_INLINE Refracted refract(const Vec3s& wo, const Vec3s& normal,
+                             const Floats& eta_ratio) {
+  const Floats cos_o = dot(wo, normal);
+  const Floats sin2_o = max(0.0f, 1.0f - cos_o * cos_o);
+  const Floats sin2_i = eta_ratio * eta_ratio * sin2_o;
+  const Floats cos_i = sqrt(1.0f - sin2_i);
+  return {normalize(-eta_ratio * (wo - cos_o * normal) - cos_i * normal),
+          sin2_i >= 1.0f};
+}
+
+HWY_INLINE Floats fresnel_reflectance(const Floats& cos_o,
+                                      const Floats& eta_ratio) {
+  const Floats sin2_o = max(0.0f, 1.0f - cos_o * cos_o);
+  const Floats sin2_i = eta_ratio * eta_ratio * sin2_o;
+  const Floats cos_i = sqrt(1.0f - sin2_i);
+  const Floats r_s =
+      (eta_ratio * cos_o - cos_i) / (eta_ratio * cos_o + cos_i);
+  const Floats r_p =
+      (cos_o - eta_ratio * cos_i) / (cos_o + eta_ratio * cos_i);
+  return select(sin2_i >= 1.0f, 1.0f, (r_s * r_s + r_p * r_p) / 2.0f);
+}
+// #endregion refract
+
+// ## A table for all
+//
+// Each path has met a shape of its own, and so a material of its own. In
+// stage 5 that was a pointer. Here the materials stand in a table, and each
+// lane picks the line that it wants. A table of up to 16 lines fits into
+// registers. Picking from a register takes one instruction for all lanes
+// (`common/rows/column.hpp`).
+//
+// ![](lookup)
+//
+// Not everything has to be fast. A picture on a surface is read lane by lane,
+// by stage 5's own function.
+
+// #region material-at
+/// A scene as rows of paths ask it.
+struct SceneRows {
+  const Scene& scene;
+  ShapeTable shapes;
+  MaterialTable materials;
+
+  explicit SceneRows(const Scene& scene_)
+      : scene(scene_), shapes(scene_), materials(shapes.materials()) {}
+};
+
+LIGHTWALK_APART inline void vary(Materials& m, const SceneRows& rows,
+                                 const Hits& hits, const Vec3s& wo,
+                                 const Mask& varies) {
+  for_each_lane(varies, [&](int lane) {
+    const Hit hit = rows.shapes.hit(hits, lane);
+    const auto set = [&](Vec3s& k, const VaryingCoefficient* pattern) {
+      if (!pattern) return;
+      k.set(lane,
+            stage5::coefficient_at(*pattern, rows.scene, hit, wo[lane]));
+    };
+    set(m.kd, hit.material->varying_kd);
+    set(m.ks, hit.material->varying_ks);
+    set(m.kt, hit.material->varying_kt);
+  });
+}
+
+/// The materials with the coefficients that they have here, seen from `wo`.
+HWY_INLINE Materials material_at(const SceneRows& rows, const Hits& hit,
+                                 const Vec3s& wo, const Mask& on) {
+  Materials m = rows.materials.at(rows.shapes.material(hit));
+  const Mask varies = on & m.varies;
+  if (any(varies)) vary(m, rows, hit, wo, varies);
+  if (any(on & m.fresnel)) {
+    const Floats cos_o = dot(normal_towards(hit, wo), wo);
+    const Floats f = fresnel_reflectance(cos_o, relative_eta(hit, m.eta, wo));
+    m.ks = select(m.fresnel, m.ks * f, m.ks);
+    m.kt = select(m.fresnel, m.kt * (1.0f - f), m.kt);
+  }
+  return m;
+}
+
+/// Where each path is: a Surface each.
+struct Surfaces {
+  const Hits& hit;
+  const Materials& material;  ///< with the coefficients that they have here
+  const Vec3s& wo;
+  Vec3s normal;  ///< on the side of wo
+};
+
+HWY_INLINE Vec3s emitted(const SceneRows& rows, const Surfaces& surface) {
+  const Mask front = dot(surface.hit.normal, surface.wo) > 0.0f;
+  const Vec3s ke = rows.materials.ke(rows.shapes.material(surface.hit));
+  return select(front, ke, Vec3(0));
+}
+// #endregion material-at
+
+// ## An event for each path
+//
+// Each path draws an event. Three masks say who has drawn which. No lane is
+// set in two of them, and a lane that is set in none has been absorbed.
+
+// #region choose-lobes
+struct LobeChoices {
+  Mask diffuse, specular, refraction;
+  Floats probability;
+};
+
+/// Picks a lobe for each path that is `on`, by `xi`, uniform in [0, 1).
+HWY_INLINE LobeChoices choose_lobes(const Materials& material,
+                                    const Ints& bounce, const Floats& xi,
+                                    const Mask& on) {
+  const Floats diffuse = max_component(material.kd);
+  const Floats specular = max_component(material.ks);
+  const Floats refraction = max_component(material.kt);
+  const Mask is_early = bounce < Ints(stage4::first_limited_bounce);
+  const Floats limit = select(is_early, Floats(1), stage4::survival_limit);
+  const Floats sum = diffuse + specular + refraction;
+  const Floats scale = select(sum > limit, limit / sum, 1.0f);
+  const Floats d = scale * diffuse;
+  const Floats s = scale * specular;
+  const Floats r = scale * refraction;
+
+  LobeChoices choice;
+  choice.diffuse = on & (xi < d);
+  choice.specular = on & (xi < d + s) & !choice.diffuse;
+  choice.refraction =
+      on & (xi < d + s + r) & !(choice.diffuse | choice.specular);
+  choice.probability =
+      select(choice.diffuse, d, select(choice.specular, s, r));
+  return choice;
+}
+// #endregion choose-lobes
+
+// Then a direction of each lobe is worked out, and the masks choose. Two
+// random numbers are drawn for the diffuse lobe only. So a lane whose path
+// has drawn another event must draw none, or its later numbers would not be
+// stage 5's. `random.uniform_2d(mask)` moves on only where the mask is set.
+
+// #region sample
+struct BsdfSamples {
+  Vec3s wi, weight;
+};
+
+/// For each path a direction of its lobe, and f_r cos(theta) / pdf.
+HWY_INLINE BsdfSamples sample(const LobeChoices& lobe,
+                              const Surfaces& surface, Sampling sampling,
+                              Randoms& random) {
+  const auto& [hit, material, wo, normal] = surface;
+  const Vec2s u = random.uniform_2d(lobe.diffuse);
+  BsdfSamples next;
+  if (sampling == Sampling::uniform) {
+    next.wi = sample_uniform_hemisphere(normal, u);
+    next.weight = 2.0f * dot(normal, next.wi) * material.kd;
+  } else {
+    next = {sample_cosine_hemisphere(normal, u), material.kd};
+  }
+  if (any(lobe.specular | lobe.refraction)) {
+    const Floats eta_ratio = relative_eta(hit, material.eta, wo);
+    const Refracted bent = refract(wo, normal, eta_ratio);
+    const Mask mirrored = lobe.specular | bent.total;
+    const Vec3s wi = select(mirrored, reflect(wo, normal), bent.wi);
+    const Vec3s transmitted = eta_ratio * eta_ratio * material.kt;
+    const Vec3s weight = select(lobe.specular, material.ks,
+                                select(bent.total, material.kt, transmitted));
+    next.wi = select(lobe.diffuse, next.wi, wi);
+    next.weight = select(lobe.diffuse, next.weight, weight);
+  }
+  return next;
+}
+// #endregion sample
+
+// ## Lights
+//
+// All paths ask the same light, then all ask the next. So here `if` may stay:
+// which kind of light it is does not depend on the path. What arrives is
+// stage 2's, word by word. A point light has nothing to choose, but stage 2
+// draws two numbers for it, and so it is done here.
+
+// #region lights
+/// What arrives from a light at each path, as in stage 2.
+struct LightSamples {
+  Vec3s direction, weight;
+  Floats distance;
+};
+
+HWY_INLINE LightSamples sample_light(const PointLight& light, const Vec3s& x,
+                                     const Mask& asking, Randoms& random) {
+  random.uniform_2d(asking);
+  const Vec3s to_light = light.center - x;
+  const Floats squared_distance = dot(to_light, to_light);
+  const Floats distance = sqrt(squared_distance);
+  const Floats size = distance + max_abs_component(light.center);
+  return {to_light / distance, Vec3s(light.intensity) / squared_distance,
+          distance - stage2::distance_rounding / 2 * size};
+}
+
+HWY_INLINE LightSamples sample_light(const RectangleLight& light,
+                                     const Vec3s& x, const Mask& asking,
+                                     Randoms& random) {
+  const Vec2s u = random.uniform_2d(asking);
+  const Vec3s point =
+      light.corner + u.x * Vec3s(light.edge_u) + u.y * Vec3s(light.edge_v);
+  const Vec3 area_vector = cross(light.edge_u, light.edge_v);
+  const float area = length(area_vector);
+  const Vec3s normal = area_vector / area;
+  const Vec3s to_light = point - x;
+  const Floats squared_distance = dot(to_light, to_light);
+  const Floats distance = sqrt(squared_distance);
+  const Vec3s direction = to_light / distance;
+  const Floats cos_light = max(0.0f, -dot(normal, direction));
+  return {direction,
+          Vec3s(light.radiance) * (area * cos_light / squared_distance),
+          distance * (1 + stage2::distance_rounding)};
+}
+
+HWY_INLINE LightSamples sample_light(const SphereLight& light, const Vec3s& x,
+                                     const Mask& asking, Randoms& random) {
+  const Vec2s u = random.uniform_2d(asking);
+  const Vec3s to_center = light.center - x;
+  const Floats squared_distance = dot(to_center, to_center);
+  const Floats squared_radius = light.radius * light.radius;
+  const Floats distance = sqrt(squared_distance);
+  const Floats sin2_max = squared_radius / squared_distance;
+  const Floats one_minus_cos_max = sin2_max / (1.0f + sqrt(1.0f - sin2_max));
+
+  const Floats one_minus_cos = u.x * one_minus_cos_max;
+  const Floats cos_theta = 1.0f - one_minus_cos;
+  const Floats sin2_theta = one_minus_cos * (1.0f + cos_theta);
+  const Floats sin_theta = sqrt(sin2_theta);
+  const Floats phi = two_pi * u.y;
+  const Vec3s direction =
+      Bases(to_center / distance)
+          .to_world({sin_theta * cos(phi), sin_theta * sin(phi), cos_theta});
+
+  const Floats half_chord =
+      sqrt(max(0.0f, squared_radius - squared_distance * sin2_theta));
+  const Mask inside = squared_distance <= squared_radius;
+  return {
+      select(inside, Vec3(0, 0, 1), direction),
+      select(inside, Vec3(0),
+             Vec3s(light.radiance) * (two_pi * one_minus_cos_max)),
+      (distance * cos_theta - half_chord) * (1 + stage2::distance_rounding)};
+}
+// #endregion lights
+
+// Direct light is stage 2's, with masks. A lane that faces away from the
+// light is not in `faces`, and a lane in its shadow is not in `lit`.
+
+// #region direct-light
+template <class Form>
+HWY_INLINE Mask reach(const ShapeTable& shapes, const Form&,
+                      std::int32_t number, const Rays& rays,
+                      const Floats& distance, const Mask& asking) {
+  if constexpr (std::is_same_v<Form, PointLight>) {
+    return !shapes.occluded(rays, distance, asking);
+  } else {
+    return shapes.reach(rays, distance, number, asking);
+  }
+}
+
+/// Radiance towards the viewer that all sampled lights cause.
+HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
+                              const Mask& asking, Randoms& random) {
+  const Vec3s x = leave(surface.hit, surface.normal);
+  const Vec3s f = surface.material.kd * inverse_pi;
+  Vec3s sum(Vec3(0));
+  std::int32_t number = 0;
+  const auto ask = [&](const auto& light) HWY_ATTR {
+    const LightSamples to_light = sample_light(light, x, asking, random);
+    const Floats cos_theta = dot(surface.normal, to_light.direction);
+    const Mask faces =
+        asking & !(cos_theta <= 0.0f) & !is_black(to_light.weight);
+    if (!any(faces)) return;
+    count_rays(count(faces));
+    const Rays shadow_rays = spawn_rays(surface.hit, to_light.direction);
+    const Mask lit = faces & reach(rows.shapes, light, number, shadow_rays,
+                                   to_light.distance, faces);
+    sum = select(lit, sum + f * cos_theta * to_light.weight, sum);
+  };
+  for (const Light& light : rows.scene.lights) {
+    if (const auto* p = std::get_if<PointLight>(&light.form)) ask(*p);
+    if (const auto* r = std::get_if<RectangleLight>(&light.form)) ask(*r);
+    if (const auto* s = std::get_if<SphereLight>(&light.form)) ask(*s);
+    ++number;
+  }
+  return sum;
+}
+// #endregion direct-light
+
+// ## One step
+//
+// Everything that a path carries from one surface to the next stands in
+// `Paths`. The body of stage 5's loop becomes `step`. Lay the two side by
+// side: the comments are the same, and the order is the same.
+//
+// In stage 5 a path ended in four places, by four `return`s. Here there are
+// four lines in which `on` loses lanes: who meets nothing, who meets an
+// emitter, who has had all bounces, who draws no event. `step` returns who is
+// left.
+//
+// Rays of all lanes meet one shape, then all meet the next, and each lane
+// keeps the nearest (`common/rows/shape_table.hpp`).
+
+// #region paths
+inline constexpr int paths_at_once = row_lanes;
+
+struct Paths {
+  Rays ray;
+  Vec3s throughput, sum;
+  Ints bounce;
+  Mask direct_light_added;
+  Randoms random;
+};
+// #endregion paths
+
+// #region step
+class PathTracer {
+ public:
+  PathTracer(const Scene& scene, const RenderSettings& settings)
+      : scene_(scene),
+        seed_(settings.seed),
+        max_bounces_(settings.max_bounces),
+        sampling_(settings.sampling) {}
+
+  Mask step(Paths& path, Mask on) const;
+  void render_tile(const Tile&, Film&, const std::atomic<bool>& stop) const;
+  Vec3 radiance(const Ray& ray, Random& random) const;
+
+ private:
+  void begin(Paths& path, const Mask& fresh) const;
+
+  SceneRows scene_;
+  std::uint64_t seed_;
+  int max_bounces_;
+  Sampling sampling_;
+};
+
+/// Takes the paths that are `on` to the next surface, and on from there.
+/// Returns those that have not ended.
+LIGHTWALK_IN_ONE_PIECE inline Mask PathTracer::step(Paths& path,
+                                                    Mask on) const {
+  // Find the next surface.
+  count_rays(count(on));
+  const Hits hit = scene_.shapes.nearest_hits(path.ray, on);
+  on = on & hit.found;
+  const Vec3s wo = -path.ray.direction;
+  const Materials material = material_at(scene_, hit, wo, on);
+  const Surfaces surface{hit, material, wo, normal_towards(hit, wo)};
+
+  // An emitter ends the path, and counts if it has not been counted.
+  const Mask emits = on & material.emits;
+  if (any(emits)) {
+    const Mask is_light = scene_.shapes.is_light(hit);
+    const Mask counted = path.direct_light_added & is_light;
+    const Vec3s found = path.throughput * emitted(scene_, surface);
+    path.sum = select(emits & !counted, path.sum + found, path.sum);
+  }
+  on = on & !emits & (path.bounce != Ints(max_bounces_));
+
+  // Ask the lights, for the diffuse lobe.
+  const Mask asking = on & !is_black(material.kd);
+  if (any(asking)) {
+    const Vec3s found =
+        path.throughput * direct_light(scene_, surface, asking, path.random);
+    path.sum = select(asking, path.sum + found, path.sum);
+  }
+
+  // Draw an event.
+  const LobeChoices lobe =
+      choose_lobes(material, path.bounce, path.random.uniform(on), on);
+  on = lobe.diffuse | lobe.specular | lobe.refraction;
+
+  // Go on in a direction of the event's lobe.
+  const BsdfSamples next = sample(lobe, surface, sampling_, path.random);
+  path.throughput = path.throughput * (next.weight / lobe.probability);
+  path.ray = spawn_rays(hit, next.wi);
+  path.bounce = path.bounce + Ints(1);
+  path.direct_light_added = lobe.diffuse;
+  return on;
+}
+// #endregion step
+
+// ## Paths that end
+//
+// At each step about one path in five ends. Say its lane stays empty until
+// all 16 have ended. Then soon most lanes are empty, and the longest path
+// keeps all others waiting. In the upper half of the figure nearly two thirds
+// of the lanes do nothing.
+//
+// ![](idle-lanes)
+//
+// So a lane whose path has ended gets the next sample's path at once. Now a
+// step has paths in it that are at their first bounce, and others at their
+// tenth. They do not notice, for no path looks at another.
+//
+// ## How the bits stay
+//
+// Floats are rounded after each operation. So the sum of three numbers
+// depends on which two are added first, and most programs that are made
+// faster lose their bits there. Three rules keep them here:
+//
+// - In each lane the operations are those of stage 5, in its order. Two of
+//   them must not be fused into one that rounds once.
+// - The random numbers depend on the sample, not on the lane, nor on what
+//   other paths have drawn (`common/math/random.hpp`).
+// - Samples end in another order than they begin. So each writes its radiance
+//   into its place in a list. When the tile is done, the list goes into the
+//   film in order.
+//
+// What is it worth? Any error in this chapter shows at once: render the same
+// with stage 5, and compare. So the tests of this stage need no tolerance.
+
+// #region render-tile
+/// Makes new paths of those that have a direction and random numbers.
+inline void PathTracer::begin(Paths& path, const Mask& fresh) const {
+  const Vec3s black(Vec3(0)), white(Vec3(1)), eye(scene_.scene.camera.origin);
+  path.ray.origin = select(fresh, eye, path.ray.origin);
+  path.ray.leaves = select(fresh, Ints(no_slot), path.ray.leaves);
+  path.throughput = select(fresh, white, path.throughput);
+  path.sum = select(fresh, black, path.sum);
+  path.bounce = select(fresh, Ints(0), path.bounce);
+  path.direct_light_added = path.direct_light_added & !fresh;
+}
+
+inline void PathTracer::render_tile(const Tile& tile, Film& film,
+                                    const std::atomic<bool>& stop) const {
+  SampleQueue samples(tile, scene_.scene.camera, seed_);
+  std::vector<Vec3> radiance(samples.size());
+  std::array<std::size_t, std::size_t{paths_at_once}> sample_in{};
+  Paths path{};
+  Mask on = nobody();
+  while (!stop.load(std::memory_order_relaxed)) {
+    // Begin a path in each lane that has none.
+    unsigned begun = 0;
+    for_each_lane(!on, [&](int lane) {
+      if (samples.empty()) return;
+      sample_in[static_cast<std::size_t>(lane)] =
+          samples.take(path.ray.direction, path.random, lane);
+      begun |= 1u << lane;
+    });
+    begin(path, mask_of(begun));
+    on = on | mask_of(begun);
+    if (!any(on)) break;
+
+    // One step, and note what has come of the paths that end with it.
+    const Mask going_on = step(path, on);
+    for_each_lane(on & !going_on, [&](int lane) {
+      radiance[sample_in[static_cast<std::size_t>(lane)]] = path.sum[lane];
+      ++samples_taken;
+    });
+    on = going_on;
+  }
+  if (samples.empty() && !any(on)) samples.add_to(film, radiance);
+}
+// #endregion render-tile
+
+// The other stages answer for a single ray. So does this one, with one lane
+// that is on. It is slow, and lets the other stages' tests ask it.
+
+// #region one-path
+inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
+  Paths path{};
+  Mask on = mask_of(1);
+  begin(path, on);
+  scene_.shapes.set_ray(path.ray, 0, ray);
+  path.random.set(0, random);
+  while (any(on)) on = step(path, on);
+  random = path.random[0];
+  return path.sum[0];
+}
+// #endregion one-path
+
+// ## What it buys
+//
+// | box | one path | 16 paths, AVX2 | 16 paths, AVX-512 |
+// |---|---|---|---|
+// TABLE
+//
+// Why not 16 times as fast? A division of 16 numbers takes longer than one of
+// a single number. Some lanes wait in every step: those that are not in glass
+// while glass is worked out. And what stands in 16 lanes does not fit into
+// the registers, so that much is moved to memory and back.
+//
+// Where there are a thousand shapes, rows gain nothing. Then a ray walks
+// through a tree of boxes, and 16 rays walk 16 different ways. So each of
+// them goes alone, as in stage 5, through eight boxes at a time.
+//
+// See for yourself which registers you have, and what the bits are:
+//
+//     build/stage6 --version
+//     build/stage6 scenes/cornell_box_point.toml -o many.pfm
+//     build/stage5 scenes/cornell_box_point.toml -o one.pfm
+//     cmp many.pfm one.pfm
+//
+// `LIGHTWALK_INSTRUCTIONS=avx2` before a command passes by AVX-512, and
+// `LIGHTWALK_INSTRUCTIONS=baseline` passes by both. There a register holds
+// four numbers and lacks what rows need. So the lines below make stage 6 the
+// same as stage 5, and `--version` says so.
+//
+// ![](lab-many)
+//
+// What remains? A graphics card does the same with 32 lanes, and with some
+// thousand rows in flight. There paths are sorted by the material that they
+// meet, so that all lanes of a row do the same. The name for that is
+// *wavefront path tracing* (Laine, Karras, Aila: "Megakernels Considered
+// Harmful", HPG 2013).
+
+}  // namespace lightwalk::stage6
+
+#else  // registers are narrow
+
+namespace lightwalk::stage6 {
+using stage5::PathTracer;
+inline constexpr int paths_at_once = 1;
+}  // namespace lightwalk::stage6
+
+#endif
