@@ -538,7 +538,7 @@ inline void PathTracer::begin(Paths& path, const Mask& fresh) const {
   path.throughput = select(fresh, white, path.throughput);
   path.sum = select(fresh, black, path.sum);
   path.bounce = select(fresh, Ints(0), path.bounce);
-  path.direct_light_added = path.direct_light_added & !fresh;
+  // The path before has drawn no event, so direct_light_added is not set.
 }
 
 inline void PathTracer::render_tile(const Tile& tile, Film& film,

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "stage6/many_paths.hpp"
+#include "stages/6_many_paths/path_tracer.hpp"
 #include "support/bounce_bounds.hpp"
 #include "support/bright_and_dim.hpp"
 #include "support/covered_sky.hpp"
@@ -14,7 +14,7 @@
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
-using PathTracer = ManyPaths;
+using stage6::PathTracer;
 
 TEST_SUITE_BEGIN("analytic scenes");
 
