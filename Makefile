@@ -35,7 +35,7 @@ scene_stage1 := scenes/cornell_box_ceiling_diffuse.toml
 scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
-.PHONY: picture help setup build test bench bench-peers mistakes goldens \
+.PHONY: picture help setup build test bench bench-peers measured mistakes goldens \
   signatures mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
   format clean check watch hint handout handouts setup-handout single-header \
   test-single-header test-windows $(stages) $(addprefix test-,$(stages))
@@ -73,7 +73,8 @@ help:
 	@echo "make fuzz          feed the readers with what nobody would write (SECONDS=60)"
 	@echo "make test-windows  compile for Windows and run there, by mingw-w64 and wine"
 	@echo "make bench         measure what everything costs (BASE=old.json compares)"
-	@echo "make bench-peers   time stage 4 and Mitsuba 3 side by side"
+	@echo "make bench-peers   time stages 5 and 6 and Mitsuba 3 side by side"
+	@echo "make measured      keep what was measured, for the book"
 	@echo "make book          weave the book: $(BUILD)/book/index.html"
 	@echo "make slides        set the slides: $(BUILD)/slides/index.html"
 	@echo "make test-site     test the book and the slides, in a browser too"
@@ -218,6 +219,7 @@ bench: build
 	@python3 -m tools.bench.efficiency --chart $(BUILD)/convergence.svg \
 	  > $(BUILD)/efficiency.md
 	@cat $(BUILD)/efficiency.md
+	@python3 -m tools.bench.bar
 
 # Peers and comparisons, and what reads C++, come from PyPI, in environments of
 # their own.
@@ -239,11 +241,19 @@ bench-compare: setup-bench $(BUILD)/bench-venv/made
 	  Google Benchmark came without its compare.py)) --no-color \
 	  -a benchmarks "$$BASE" $(BUILD)/bench.json
 
-# Mitsuba 3 side by side with stage 4. LLVM is the system's: `apt-get install
-# libllvm19` where Debian 12 has it, and
-# DRJIT_LIBLLVM_PATH=/usr/lib/x86_64-linux-gnu/libLLVM.so.19.1
+# Mitsuba 3 side by side with stages 5 and 6. LLVM is the system's, version 16
+# or newer: `apt-get install libllvm16` on Debian 12.
 bench-peers: build $(BUILD)/bench-venv/made
-	@$(BUILD)/bench-venv/bin/python -m tools.bench.peers
+	@$(BUILD)/bench-venv/bin/python -m tools.bench.peers | tee $(BUILD)/peers.md
+
+# What `make bench` and `make bench-peers` have measured, with the machine and
+# the date, into the folder that the book and the README quote.
+measured: $(BUILD)/bench.json $(BUILD)/peers.md
+	@python3 -m tools.bench.measured
+$(BUILD)/bench.json:
+	@$(MAKE) --no-print-directory bench
+$(BUILD)/peers.md:
+	@$(MAKE) --no-print-directory bench-peers
 
 # CHECK=1 only tells what is not formatted.
 format: $(BUILD)/venv/made

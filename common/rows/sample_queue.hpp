@@ -6,7 +6,6 @@
 // lanes together.
 
 #include <cstdint>
-#include <vector>
 
 #include "common/render/render.hpp"
 #include "common/rows/hit_row.hpp"
@@ -40,8 +39,8 @@ class SampleQueue {
   }
 
   /// Adds what has come of all samples, in their order.
-  void add_to(Film& film, const std::vector<Vec3>& radiance) const {
-    auto next = radiance.begin();
+  void add_to(Film& film, const Vec3* radiance) const {
+    const Vec3* next = radiance;
     for (int row = tile_.top; row < tile_.bottom; ++row) {
       for (int column = tile_.left; column < tile_.right; ++column) {
         Pixel pixel = film.pixel(column, row);

@@ -23,8 +23,8 @@
 //
 #include <array>
 #include <atomic>
+#include <memory>
 #include <variant>
-#include <vector>
 
 #include "common/geometry/inlining.hpp"
 #include "common/rows/material_table.hpp"
@@ -544,7 +544,8 @@ inline void PathTracer::begin(Paths& path, const Mask& fresh) const {
 inline void PathTracer::render_tile(const Tile& tile, Film& film,
                                     const std::atomic<bool>& stop) const {
   SampleQueue samples(tile, scene_.scene.camera, seed_);
-  std::vector<Vec3> radiance(samples.size());
+  const auto radiance =
+      std::make_unique_for_overwrite<Vec3[]>(samples.size());
   std::array<std::size_t, std::size_t{paths_at_once}> sample_in{};
   Paths path{};
   Mask on = nobody();
@@ -569,7 +570,7 @@ inline void PathTracer::render_tile(const Tile& tile, Film& film,
     });
     on = going_on;
   }
-  if (samples.empty() && !any(on)) samples.add_to(film, radiance);
+  if (samples.empty() && !any(on)) samples.add_to(film, radiance.get());
 }
 // #endregion render-tile
 

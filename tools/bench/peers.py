@@ -1,31 +1,42 @@
-"""Times the lab's boxes in Mitsuba 3 and in stage 4, side by side.
+"""Times the lab's boxes in Mitsuba 3 and in Lightwalk, side by side.
 
     make bench-peers
 
-Runs alternate, so that whatever else the machine does falls on all of them,
-and medians are compared. First the means of the diffuse boxes' pictures must
-agree: a fast program that paints another picture has won nothing. The boxes
-of all materials are for time only: Mitsuba has no plastic like the course's,
-and its glass follows Fresnel's equations.
+Seconds of processor time and of the clock, with all threads: what Mitsuba takes
+over what we take. Runs alternate, so that whatever else the machine does falls
+on all of them, and medians are compared. First the means of the diffuse boxes'
+pictures must agree: a fast program that paints another picture has won nothing.
+The boxes of all materials are for time only: Mitsuba has no plastic like the
+course's, and its glass follows Fresnel's equations.
 
-The LLVM variant needs libLLVM 16 or newer; DRJIT_LIBLLVM_PATH says where.
-Without it the scalar variant is timed alone.
+The LLVM variant needs libLLVM 16 or newer; DRJIT_LIBLLVM_PATH says where, and
+else the newest of the system's is taken. Without it the scalar variant is timed,
+which --scalar adds beside the other.
 """
 
 import argparse
+import glob
 import math
+import os
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
 import tomllib
+from pathlib import Path
 
 import mitsuba
 import numpy
 
-from compare.stages import SCENES, read_pfm, render
+from compare.stages import BUILD, SCENES, read_pfm, render
 
+BOXES = (
+    "cornell_box_point_diffuse",
+    "cornell_box_ceiling_diffuse",
+    "cornell_box_point",
+    "cornell_box_ceiling",
+)
 FAR = 40  # planes are infinite here, and rectangles there
 
 
@@ -107,80 +118,92 @@ def mitsuba_scene(mi, toml):
 class Peer:
     def __init__(self, variant, toml):
         mitsuba.set_variant(variant)
+        self.name = f"Mitsuba {mitsuba.__version__}, {variant}"
         self.variant = variant
         self.scene = mitsuba_scene(mitsuba, toml)
         self.render(1, 0)  # compiles
 
     def render(self, spp, seed):
-        """Seconds, and the mean radiance."""
+        """Seconds of the processor and of the clock, and the mean radiance."""
         mitsuba.set_variant(self.variant)
-        start = time.perf_counter()
+        start, cpu = time.perf_counter(), time.process_time()
         image = numpy.array(mitsuba.render(self.scene, spp=spp, seed=seed))
-        return time.perf_counter() - start, image.mean(axis=(0, 1))
+        return time.process_time() - cpu, time.perf_counter() - start, image.mean(axis=(0, 1))
 
 
 class Ours:
-    variant = "stage4"
-
-    def __init__(self, scene):
-        self.scene = scene
+    def __init__(self, program, instructions, scene):
+        self.name = f"{program}, {instructions}"
+        self.program, self.instructions, self.scene = program, instructions, scene
 
     def render(self, spp, seed):
+        os.environ["LIGHTWALK_INSTRUCTIONS"] = self.instructions
         with tempfile.NamedTemporaryFile(suffix=".pfm") as file:
-            report = render("stage4", self.scene, file.name, "--spp", spp, "--seed", seed)
+            report = render(self.program, self.scene, file.name, "--spp", spp, "--seed", seed)
             *_, pixels = read_pfm(file.name)
-        return report["seconds"], numpy.mean(pixels, axis=0)
+        return report["cpu_seconds"], report["seconds"], numpy.mean(pixels, axis=0)
+
+
+def instruction_sets():
+    """Those that this processor has a twin for."""
+    flags = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").exists() else ""
+    found = ["baseline"]
+    if (BUILD / "avx2/stage6").exists() and " avx2 " in flags:
+        found.append("avx2")
+    if (BUILD / "avx512/stage6").exists() and " avx512bw " in flags:
+        found.append("avx512")
+    return found
+
+
+def llvm_runs():
+    """Whether Mitsuba's LLVM variant can, and with which library."""
+    if "DRJIT_LIBLLVM_PATH" not in os.environ:
+        found = glob.glob("/usr/lib/*/libLLVM*1[6-9]*.so*") + glob.glob("/usr/lib/*/libLLVM.so.*")
+        if found:
+            os.environ["DRJIT_LIBLLVM_PATH"] = max(found)
+    probe = (
+        "import mitsuba as mi; mi.set_variant('llvm_ad_rgb');"
+        "mi.render(mi.load_dict(mi.cornell_box()), spp=1).numpy()"
+    )
+    return subprocess.run([sys.executable, "-c", probe], capture_output=True).returncode == 0
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--repetitions", default=5, type=int)
-    parser.add_argument("--spp", default=32, type=int)
+    parser.add_argument("--repetitions", default=7, type=int)
+    parser.add_argument("--spp", default=64, type=int)
+    parser.add_argument("--scalar", action="store_true", help="Mitsuba's scalar variant, too: slow")
     options = parser.parse_args()
-    variants = ["scalar_rgb"]
-    probe = subprocess.run(
-        [
-            sys.executable,
-            "-c",
-            "import mitsuba as mi; mi.set_variant('llvm_ad_rgb');"
-            "mi.render(mi.load_dict(mi.cornell_box()), spp=1).numpy()",
-        ],
-        capture_output=True,
-    )
-    if probe.returncode == 0:
-        variants.append("llvm_ad_rgb")
-    else:
+    variants = ["llvm_ad_rgb"] if llvm_runs() else []
+    if not variants:
         print("llvm_ad_rgb does not run here: see DRJIT_LIBLLVM_PATH")
-
-    print("| box | program | Msamples/s | stage 4 is faster by |")
-    print("|---|---|---|---|")
-    for name in (
-        "cornell_box_point_diffuse",
-        "cornell_box_ceiling_diffuse",
-        "cornell_box_point",
-        "cornell_box_ceiling",
-    ):
+    if options.scalar or not variants:
+        variants.append("scalar_rgb")
+    sets = instruction_sets()
+    print("| box | program | CPU s | Mitsuba takes | clock s | Mitsuba takes |")
+    print("|---|---|---|---|---|---|")
+    for name in BOXES:
         path = SCENES / f"{name}.toml"
         toml = tomllib.loads(path.read_text())
-        programs = [Ours(path)]
-        programs += [Peer(variant, toml) for variant in variants]
-        times = [[] for _ in programs]
-        means = [[] for _ in programs]
+        programs = [Peer(variant, toml) for variant in variants]
+        programs.append(Ours("stage5", sets[min(1, len(sets) - 1)], path))
+        programs += [Ours("stage6", one, path) for one in sets[1:]]
+        runs = [[] for _ in programs]
         for seed in range(options.repetitions):
-            for i, program in enumerate(programs):
-                seconds, mean = program.render(options.spp, seed + 1)
-                times[i].append(seconds)
-                means[i].append(mean)
-        means = [numpy.mean(m, axis=0) for m in means]
+            for program, done in zip(programs, runs):
+                done.append(program.render(options.spp, seed + 1))
+        means = [numpy.mean([mean for *_, mean in done], axis=0) for done in runs]
         if name.endswith("diffuse"):
             for mean, program in zip(means[1:], programs[1:]):
                 if not numpy.allclose(mean, means[0], rtol=0.01):
-                    sys.exit(f"{name}: {program.variant} has the mean {mean} and stage 4 has {means[0]}")
-        samples = math.prod(toml["camera"]["size"]) * options.spp
-        medians = [statistics.median(t) for t in times]
-        for program, median in zip(programs, medians):
+                    sys.exit(f"{name}: {program.name} has the mean {mean}, and {programs[0].name} {means[0]}")
+        first = None
+        for program, done in zip(programs, runs):
+            cpu, clock = (statistics.median(run[i] for run in done) for i in (0, 1))
+            first = first or (cpu, clock)
             print(
-                f"| {name} | {program.variant} | {samples / median / 1e6:.2f} | {median / medians[0]:.1f} |",
+                f"| {name} | {program.name} | {cpu:.3f} | {first[0] / cpu:.2f} times "
+                f"| {clock:.3f} | {first[1] / clock:.2f} times |",
                 flush=True,
             )
 

@@ -1,10 +1,12 @@
-"""The page of speed and convergence, from what `make bench` has measured."""
+"""The page of speed and convergence, from what `make measured` has kept."""
 
 import json
 import shutil
 from statistics import median
 
-from compare.stages import BUILD
+from compare.stages import ROOT
+
+MEASURED = ROOT / "measured"
 
 
 def table(path):
@@ -34,39 +36,35 @@ def benchmarks(path):
 
 
 def measurements_page(source):
-    """The page's lines; how to measure, where nobody has yet."""
-    page = [
+    """The page's lines, from the folder measured/."""
+    (source / "figures").mkdir(parents=True, exist_ok=True)
+    shutil.copy(MEASURED / "convergence.svg", source / "figures/convergence.svg")
+
+    def kept(name):
+        return (MEASURED / name).read_text().split("\n")
+
+    return [
         "# Speed and convergence",
         "",
-        "Measured by `make bench` on the machine that made this book. "
-        "Samples of different estimators are not worth the same, so the "
-        "first table has the *efficiency*: one over variance times time, "
-        "relative to the first of each pair. Twice the efficiency is the "
-        "same picture in half the time.",
+        "Samples of different estimators are not worth the same. So the first table has the "
+        "*efficiency*: one over variance times time, relative to the first of each pair. "
+        "Twice the efficiency is the same picture in half the time.",
         "",
-    ]
-    efficiency, bench = BUILD / "efficiency.md", BUILD / "bench.json"
-    chart = BUILD / "convergence.svg"
-    if not (efficiency.exists() and bench.exists() and chart.exists()):
-        return [
-            *page,
-            "This book was made before anything was measured: run `make bench`, and then `make book` again.",
-            "",
-        ]
-    (source / "figures").mkdir(parents=True, exist_ok=True)
-    shutil.copy(chart, source / "figures/convergence.svg")
-    return [
-        *page,
-        *table(efficiency),
-        "",
+        *kept("efficiency.md"),
         "![Noise against time for each estimator](figures/convergence.svg)",
         "",
-        "All lines fall with slope -1/2: half the noise costs four times "
-        "the time, whichever estimator it is. The lower line is the "
-        "better one.",
+        "All lines fall with slope -1/2: half the noise costs four times the time, whichever "
+        "estimator it is. The lower line is the better one.",
         "",
+        "## Beside another renderer",
+        "",
+        "Stages 5 and 6 and [Mitsuba 3](https://www.mitsuba-renderer.org) with its compiler for "
+        "vectors, on the lab's boxes of 256 x 256 pixels. Runs alternate, and medians are compared. "
+        "A number above 1 says that Mitsuba takes so many times as long. Its scenes resemble ours: "
+        "it has no plastic like the course's.",
+        "",
+        *kept("peers.md"),
         "## What everything costs",
         "",
-        *benchmarks(bench),
-        "",
+        *kept("benchmarks.md"),
     ]
