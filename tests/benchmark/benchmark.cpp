@@ -127,13 +127,15 @@ void nearest_hit(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 
-void visible(benchmark::State& state) {
+void occluded(benchmark::State& state) {
   const Scene scene = crowded_box(state.range(0), false);
   Random random(3, 0, 0);
   for (auto _ : state) {
     const Vec3 from = random_position(random);
     const Vec3 to = random_position(random);
-    benchmark::DoNotOptimize(scene.visible(from, to));
+    const Ray ray{from, normalize(to - from)};
+    benchmark::DoNotOptimize(
+        scene.geometry.occluded(ray, length(to - from)));
   }
   state.SetItemsProcessed(state.iterations());
 }
@@ -157,7 +159,7 @@ void random_number(benchmark::State& state) {
 
 // The parts of a path.
 BENCHMARK(nearest_hit)->Arg(2)->Arg(10)->Arg(1000);
-BENCHMARK(visible)->Arg(2)->Arg(10)->Arg(1000);
+BENCHMARK(occluded)->Arg(2)->Arg(10)->Arg(1000);
 BENCHMARK_CAPTURE(hemisphere, uniform, stage1::sample_uniform_hemisphere);
 BENCHMARK_CAPTURE(hemisphere, cosine, stage1::sample_cosine_hemisphere);
 BENCHMARK(random_number);
