@@ -10,7 +10,7 @@ import re
 
 from compare.stages import Failure
 
-INK, SOFT, PAPER = "#222", "#888", "#fff"
+INK, SOFT, PAPER = "#222", "#666", "#fff"
 WARM, COOL, GREEN, RED, LAMP, GRAY = "#b4491a", "#1f5fa8", "#3c7a3c", "#b03030", "#e8b400", "#444"
 # Fills, on which all of the above can be read.
 SAND, GLASS, GLOW, FAINT = "#f3e9df", "#d9e4ef", "#fdf0c8", "#ddd"
