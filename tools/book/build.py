@@ -31,7 +31,7 @@ from tools.weave.transcripts import check_transcripts
 
 HERE = Path(__file__).parent
 PAGES = HERE / "pages"
-STATIC = ("book.css", "keys.js", "contents.js", "viewer.js", "search.js", "gallery.css", "gallery.js")
+STATIC = ("book.css", "keys.js", "contents.js", "scrollers.js", "viewer.js", "search.js", "gallery.css", "gallery.js")
 FONTS = ("source-serif-4", "jetbrains-mono")
 SIDEBAR_FROM = 97  # em of 16 px
 
@@ -125,12 +125,20 @@ def copy_fonts(static):
                 shutil.copy(package / "files" / file, target / "files")
 
 
+def name_levels(book):
+    """Captions of the sidebar's lists are headings: says of which level."""
+    for path in book.rglob("*.html"):
+        text = path.read_text()
+        path.write_text(text.replace('class="caption" role="heading"', 'class="caption" role="heading" aria-level="2"'))
+
+
 def finish(book):
     """What is done to the pages that Sphinx has made."""
     write_sections(book)
     headers = stage_headers() + core_headers()
     link_definitions(book, [(header, page_of(header)) for header in headers])
     set_formulas(book)
+    name_levels(book)
     # The menu instead of the sidebar as long as there is no room for two
     # columns beside it.
     style = book / "_static/styles/furo.css"
