@@ -135,6 +135,40 @@ test("labels of drawings are as large as the text, inside, and apart", async () 
   await page.close();
 });
 
+test("labels of drawings stand out 4.5 to 1 from what they stand on", async () => {
+  const page = await watched(browser);
+  for (const name of [...files("book/_images", ".svg"), ...files("slides/figures", ".svg")]) {
+    await page.goto(url(name));
+    const paper = name.endsWith("-dark.svg") ? [19, 20, 22] : [253, 252, 249];
+    const pale = await page.evaluate((paper) => {
+      const light = (color) => {
+        const [r, g, b] = color.map((c) => c / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05;
+      };
+      const parts = (color) => color.match(/[\d.]+/g).map(Number);
+      // What is filled below the label's middle, in the order of drawing.
+      const shapes = [...document.querySelectorAll("rect, circle, ellipse, polygon, path, text")];
+      const under = (label, { x, y, width, height }) => {
+        const middle = new DOMPoint(x + width / 2, y + height / 2);
+        let color = paper;
+        for (const shape of shapes.slice(0, shapes.indexOf(label))) {
+          const { fill, fillOpacity } = getComputedStyle(shape);
+          if (shape.matches("text, marker *") || fill === "none" || !shape.isPointInFill(middle)) continue;
+          color = parts(fill).map((c, i) => fillOpacity * c + (1 - fillOpacity) * color[i]);
+        }
+        return color;
+      };
+      return [...document.querySelectorAll("text")].filter((label) => label.textContent.trim()).map((label) => {
+        const [ink, ground] = [parts(getComputedStyle(label).fill), under(label, label.getBBox())];
+        const [a, b] = [light(ink), light(ground)];
+        return { ratio: Math.max(a, b) / Math.min(a, b), says: `${label.textContent}: (${ink}) on (${ground})` };
+      }).filter(({ ratio }) => ratio < 4.5).map(({ ratio, says }) => `${says} is ${ratio.toFixed(2)}`);
+    }, paper);
+    assert.deepEqual(pale, [], name);
+  }
+  await page.close();
+});
+
 test("at 1280 pixels no listing of a chapter is cut off", () =>
   onEveryPage({ viewport: { width: 1280, height: 900 } }, async (page, name) => {
     if (!name.startsWith("book/stages/")) return;
