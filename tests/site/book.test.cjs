@@ -30,7 +30,12 @@ test("every page is whole, complains of nothing, asks nobody", () =>
       set: document.querySelectorAll(".math mjx-container").length,
       errors: document.querySelectorAll("[data-mml-node=merror]").length,
       missing: [...document.images].filter((i) => !i.naturalWidth).length,
+      raw: [...document.querySelectorAll("article :is(p, li, td, h1, h2, h3, figcaption)")]
+        .flatMap((e) => [...e.childNodes])
+        .filter((node) => node.nodeType === Node.TEXT_NODE && /\$\S|\\[a-zA-Z]{2}/.test(node.data))
+        .map((node) => node.data.trim().slice(0, 60)),
     }));
+    assert.deepEqual(found.raw, [], `${name}: formulas that nobody set`);
     assert.equal(found.set, found.formulas, `${name}: formulas not set`);
     assert.equal(found.errors, 0, `${name}: broken formulas`);
     assert.equal(found.missing, 0, `${name}: missing pictures`);
