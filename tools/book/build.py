@@ -16,6 +16,7 @@ from compare import stages
 from compare.stages import BUILD, ROOT, Failure, stage_headers
 from tools.book.definitions import link_definitions
 from tools.book.figures import PlacedFigures
+from tools.book.keep_together import keep_together
 from tools.book.measurements import measurements_page
 from tools.book.mistakes import mistakes_page
 from tools.book.page import page_of, weave
@@ -138,6 +139,7 @@ def finish(book):
     headers = stage_headers() + core_headers()
     link_definitions(book, [(header, page_of(header)) for header in headers])
     set_formulas(book)
+    keep_together(book)
     name_levels(book)
     # The menu instead of the sidebar as long as there is no room for two
     # columns beside it.

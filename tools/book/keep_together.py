@@ -1,0 +1,23 @@
+"""Lines of built pages do not end where nobody would end one: before the mark
+that follows a formula, or after the dash of an option."""
+
+import re
+
+FORMULA = re.compile(r'\(?<span class="math">(?:(?!</mjx-container>).)*</mjx-container></span>[.,;:?!)’”]*', re.S)
+COMMANDS = re.compile(r'(?<=<div class="highlight-none notranslate"><div class="highlight"><pre>).*?(?=</pre>)', re.S)
+OPTION = re.compile(r"(?<=\s)--?[a-z][\w-]*")
+
+
+def kept(found):
+    return f'<span class="keep">{found[0]}</span>'
+
+
+def kept_with_marks(found):
+    alone = found[0].startswith("<") and found[0].endswith(">")
+    return found[0] if alone else kept(found)
+
+
+def keep_together(book):
+    for page in book.rglob("*.html"):
+        text = FORMULA.sub(kept_with_marks, page.read_text())
+        page.write_text(COMMANDS.sub(lambda commands: OPTION.sub(kept, commands[0]), text))
