@@ -223,6 +223,14 @@ test("on a phone no page is wider than the screen", () =>
       () => document.documentElement.scrollWidth
     );
     assert.ok(width <= phone.width, `${name} is ${width} wide`);
+    // Nor does anything stick out that cannot be scrolled to.
+    const cut = await page.evaluate((edge) => {
+      const scrolled = (e) => e.closest("pre, .table-wrapper, .math-wrapper, svg, mjx-assistive-mml, .lab-path");
+      return [...document.querySelectorAll("article *")]
+        .filter((e) => e.checkVisibility() && !scrolled(e) && e.getBoundingClientRect().right > edge + 1)
+        .map((e) => `${e.tagName}.${e.className}: ${e.textContent.trim().slice(0, 40)}`);
+    }, phone.width);
+    assert.deepEqual(cut, [], name);
   }));
 
 test("on paper no code and no formula is cut off", () =>

@@ -1,10 +1,16 @@
 """Lines of built pages do not end where nobody would end one: before the mark
-that follows a formula, or after the dash of an option."""
+that follows a formula, after the dash of an option, or within a word of code
+that is no longer than a phone is wide."""
 
 import re
 
-FORMULA = re.compile(r'\(?<span class="math">(?:(?!</mjx-container>).)*</mjx-container></span>[.,;:?!)’”]*', re.S)
-COMMANDS = re.compile(r'(?<=<div class="highlight-none notranslate"><div class="highlight"><pre>).*?(?=</pre>)', re.S)
+FORMULA = re.compile(
+    r'\(?<span class="math">(?:(?!</mjx-container>).)*</mjx-container></span>[.,;:?!)’”]*', re.S
+)
+COMMANDS = re.compile(
+    r'(?<=<div class="highlight-none notranslate"><div class="highlight"><pre>).*?(?=</pre>)', re.S
+)
+WORD = re.compile(r'<span class="pre">([^<]{31,})</span>')
 OPTION = re.compile(r"(?<=\s)--?[a-z][\w-]*")
 
 
@@ -20,4 +26,5 @@ def kept_with_marks(found):
 def keep_together(book):
     for page in book.rglob("*.html"):
         text = FORMULA.sub(kept_with_marks, page.read_text())
+        text = WORD.sub(r'<span class="pre long">\1</span>', text)
         page.write_text(COMMANDS.sub(lambda commands: OPTION.sub(kept, commands[0]), text))

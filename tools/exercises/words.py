@@ -66,7 +66,11 @@ def formula(text):
     r"""TeX as far as it can be read in a terminal: \frac{a}{b} is a/b."""
     group = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
     text = re.sub(r"\\(?:displaystyle|underbrace|cancel)(?![a-zA-Z])", "", text)
-    text = re.sub(r"(\\sqrt|\\[dt]?frac(?=\d\d)) ?(\w)(\d?)", lambda m: f"{m[1]}{{{m[2]}}}" + (m[3] and f"{{{m[3]}}}"), text)
+    text = re.sub(
+        r"(\\sqrt|\\[dt]?frac(?=\d\d)) ?(\w)(\d?)",
+        lambda m: f"{m[1]}{{{m[2]}}}" + (m[3] and f"{{{m[3]}}}"),
+        text,
+    )
     before = None
     while before != text:
         before = text
