@@ -38,5 +38,5 @@ slides: site-programs setup-slides $(BUILD)/venv/made $(BUILD)/node/made
 # What stops a build is tested on copies of the sources, what was built in a
 # browser.
 test-site: book slides
-	@$(site_python) -m unittest tests/site/test_*.py
+	@$(site_python) -m unittest tests/site/test_*.py tools/book/test_*.py
 	@node --test --test-reporter=spec tests/site/*.test.cjs

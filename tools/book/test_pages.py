@@ -1,6 +1,7 @@
 """What is done to built pages, piece by piece: colors of code, words of
 formulas, and lines that stay together."""
 
+import importlib.util
 import pathlib
 import tempfile
 import unittest
@@ -10,7 +11,6 @@ from compare.stages import Failure
 from tools.book.keep_together import keep_together
 from tools.exercises.words import formula
 from tools.slides.formulas import name_formulas
-from tools.weave.code_colors import CodeColors
 
 
 def luminance(color):
@@ -36,11 +36,14 @@ class Page(unittest.TestCase):
         return self.page.read_text()
 
 
+@unittest.skipUnless(importlib.util.find_spec("pygments"), "Pygments comes with the book")
 class Colors(unittest.TestCase):
     # A listing, on a page and on a slide, and lines of it that are new.
     GROUNDS = ("f8f8f8", "f6e9cf", "f6f2ea", "fbe6b5")
 
     def test_every_kind_of_word_stands_out(self):
+        from tools.weave.code_colors import CodeColors
+
         for token, style in CodeColors:
             if style["color"] and "Whitespace" not in str(token):
                 for ground in self.GROUNDS:
