@@ -65,6 +65,20 @@ test("arrow keys turn the pages", async () => {
   await page.close();
 });
 
+test("a listing that is wider than a phone is moved by arrow keys, which turn no page", async () => {
+  const page = await watched(browser, { viewport: phone });
+  await page.goto(url("book/stages/1_diffuse.html"));
+  assert.ok(await page.locator("pre[tabindex='0']").count() > 0, "no listing can be reached with Tab");
+  await page.locator("pre[tabindex='0']").first().focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => document.activeElement.scrollLeft > 0);
+  assert.match(page.url(), /1_diffuse/);
+  await page.setViewportSize({ width: 1600, height: 900 });
+  await page.waitForFunction(() => ![...document.querySelectorAll(".code pre[tabindex]")]
+    .some((one) => !one.closest("details")));
+  await page.close();
+});
+
 test("links and the search field can be reached with Tab", async () => {
   const page = await watched(browser);
   await page.goto(url("book/index.html"));

@@ -1,11 +1,14 @@
-"""Lines of built pages do not end where nobody would end one: before the mark
-that follows a formula, after the dash of an option, or within a word of code
+"""Lines of built pages do not end where nobody would end one: between a formula
+or a word of code and the marks beside it, after the dash of an option, or within a word of code
 that is no longer than a phone is wide."""
 
 import re
 
 FORMULA = re.compile(
     r'\(?<span class="math">(?:(?!</mjx-container>).)*</mjx-container></span>[.,;:?!)’”]*', re.S
+)
+CODE = re.compile(
+    r'\(?<code class="docutils literal notranslate"><span class="pre">[^<]{1,30}</span></code>[.,;:?!)’”]*'
 )
 COMMANDS = re.compile(
     r'(?<=<div class="highlight-none notranslate"><div class="highlight"><pre>).*?(?=</pre>)', re.S
@@ -25,6 +28,6 @@ def kept_with_marks(found):
 
 def keep_together(book):
     for page in book.rglob("*.html"):
-        text = FORMULA.sub(kept_with_marks, page.read_text())
+        text = CODE.sub(kept_with_marks, FORMULA.sub(kept_with_marks, page.read_text()))
         text = WORD.sub(r'<span class="pre long">\1</span>', text)
         page.write_text(COMMANDS.sub(lambda commands: OPTION.sub(kept, commands[0]), text))

@@ -81,6 +81,12 @@ class Lines(Page):
             f'if <span class="keep">({self.FORMULA}),</span> {self.FORMULA} is',
         )
 
+    def test_a_bracket_stays_with_its_word_of_code(self):
+        word = '<code class="docutils literal notranslate"><span class="pre">a.toml</span></code>'
+        self.assertEqual(
+            self.kept(f"in ({word}, or {word} is"), f'in <span class="keep">({word},</span> or {word} is'
+        )
+
     def test_an_option_is_not_divided(self):
         head = '<div class="highlight-none notranslate"><div class="highlight"><pre>'
         self.assertEqual(
