@@ -2,7 +2,7 @@
 # compiler; what comes from PyPI and npm goes under $(BUILD).
 site_python := $(BUILD)/venv/bin/python
 
-.PHONY: setup-site setup-live setup-slides book slides test-site
+.PHONY: setup-site setup-live setup-slides site-programs book slides test-site
 
 setup-site: setup
 	@tools/setup.sh site
@@ -25,14 +25,18 @@ $(BUILD)/node/made: tools/package.json | setup-site
 	  --ignore-scripts
 	@touch $@
 
-book: build $(BUILD)/venv/made $(BUILD)/node/made
+# Figures show what the stages paint, and what comparing two of them says.
+site-programs: build
+	@cmake --build $(BUILD) -j $(JOBS) --target stage-diff
+
+book: site-programs $(BUILD)/venv/made $(BUILD)/node/made
 	@$(site_python) -m tools.book.build
 
-slides: build setup-slides $(BUILD)/venv/made $(BUILD)/node/made
+slides: site-programs setup-slides $(BUILD)/venv/made $(BUILD)/node/made
 	@$(site_python) -m tools.slides.build
 
 # What stops a build is tested on copies of the sources, what was built in a
 # browser.
 test-site: book slides
-	@$(site_python) -m unittest tests/site/test_*.py
+	@$(site_python) -m unittest tests/site/test_*.py tools/book/test_*.py
 	@node --test --test-reporter=spec tests/site/*.test.cjs

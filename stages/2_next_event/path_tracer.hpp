@@ -264,9 +264,9 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // $$1 - \cos\theta = \xi_1\,(1 - \cos\theta_{max}) \qquad
 // \phi = 2\pi\,\xi_2$$
 //
-// With $\theta_{max} = 90$ degrees it is the rule of the hemisphere, with $1
-// - \xi_1$ for $\xi_1$. The cone's solid angle is $\Omega_c$, the density is
-// one over it, and so
+// With $\theta_{max} = 90$ degrees it is the rule of the hemisphere, with
+// $1 - \xi_1$ for $\xi_1$. The cone's solid angle is $\Omega_c$, the density
+// is one over it, and so
 //
 // $$\Omega_c = 2\pi\,(1 - \cos\theta_{max}) \qquad
 // \frac{L_e}{p(\omega)} = L_e\,\Omega_c$$

@@ -30,7 +30,12 @@ test("every page is whole, complains of nothing, asks nobody", () =>
       set: document.querySelectorAll(".math mjx-container").length,
       errors: document.querySelectorAll("[data-mml-node=merror]").length,
       missing: [...document.images].filter((i) => !i.naturalWidth).length,
+      raw: [...document.querySelectorAll("article :is(p, li, td, h1, h2, h3, figcaption)")]
+        .flatMap((e) => [...e.childNodes])
+        .filter((node) => node.nodeType === Node.TEXT_NODE && /\$\S|\\[a-zA-Z]{2}/.test(node.data))
+        .map((node) => node.data.trim().slice(0, 60)),
     }));
+    assert.deepEqual(found.raw, [], `${name}: formulas that nobody set`);
     assert.equal(found.set, found.formulas, `${name}: formulas not set`);
     assert.equal(found.errors, 0, `${name}: broken formulas`);
     assert.equal(found.missing, 0, `${name}: missing pictures`);
@@ -57,6 +62,20 @@ test("arrow keys turn the pages", async () => {
   await page.waitForURL(/2_next_event/);
   await page.keyboard.press("ArrowLeft");
   await page.waitForURL(/1_diffuse/);
+  await page.close();
+});
+
+test("a listing that is wider than a phone is moved by arrow keys, which turn no page", async () => {
+  const page = await watched(browser, { viewport: phone });
+  await page.goto(url("book/stages/1_diffuse.html"));
+  assert.ok(await page.locator("pre[tabindex='0']").count() > 0, "no listing can be reached with Tab");
+  await page.locator("pre[tabindex='0']").first().focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForFunction(() => document.activeElement.scrollLeft > 0);
+  assert.match(page.url(), /1_diffuse/);
+  await page.setViewportSize({ width: 1600, height: 900 });
+  await page.waitForFunction(() => ![...document.querySelectorAll(".code pre[tabindex]")]
+    .some((one) => !one.closest("details")));
   await page.close();
 });
 
@@ -135,6 +154,40 @@ test("labels of drawings are as large as the text, inside, and apart", async () 
   await page.close();
 });
 
+test("labels of drawings stand out 4.5 to 1 from what they stand on", async () => {
+  const page = await watched(browser);
+  for (const name of [...files("book/_images", ".svg"), ...files("slides/figures", ".svg")]) {
+    await page.goto(url(name));
+    const paper = name.endsWith("-dark.svg") ? [19, 20, 22] : [253, 252, 249];
+    const pale = await page.evaluate((paper) => {
+      const light = (color) => {
+        const [r, g, b] = color.map((c) => c / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05;
+      };
+      const parts = (color) => color.match(/[\d.]+/g).map(Number);
+      // What is filled below the label's middle, in the order of drawing.
+      const shapes = [...document.querySelectorAll("rect, circle, ellipse, polygon, path, text")];
+      const under = (label, { x, y, width, height }) => {
+        const middle = new DOMPoint(x + width / 2, y + height / 2);
+        let color = paper;
+        for (const shape of shapes.slice(0, shapes.indexOf(label))) {
+          const { fill, fillOpacity } = getComputedStyle(shape);
+          if (shape.matches("text, marker *") || fill === "none" || !shape.isPointInFill(middle)) continue;
+          color = parts(fill).map((c, i) => fillOpacity * c + (1 - fillOpacity) * color[i]);
+        }
+        return color;
+      };
+      return [...document.querySelectorAll("text")].filter((label) => label.textContent.trim()).map((label) => {
+        const [ink, ground] = [parts(getComputedStyle(label).fill), under(label, label.getBBox())];
+        const [a, b] = [light(ink), light(ground)];
+        return { ratio: Math.max(a, b) / Math.min(a, b), says: `${label.textContent}: (${ink}) on (${ground})` };
+      }).filter(({ ratio }) => ratio < 4.5).map(({ ratio, says }) => `${says} is ${ratio.toFixed(2)}`);
+    }, paper);
+    assert.deepEqual(pale, [], name);
+  }
+  await page.close();
+});
+
 test("at 1280 pixels no listing of a chapter is cut off", () =>
   onEveryPage({ viewport: { width: 1280, height: 900 } }, async (page, name) => {
     if (!name.startsWith("book/stages/")) return;
@@ -184,6 +237,14 @@ test("on a phone no page is wider than the screen", () =>
       () => document.documentElement.scrollWidth
     );
     assert.ok(width <= phone.width, `${name} is ${width} wide`);
+    // Nor does anything stick out that cannot be scrolled to.
+    const cut = await page.evaluate((edge) => {
+      const scrolled = (e) => e.closest("pre, .table-wrapper, .math-wrapper, svg, mjx-assistive-mml, .lab-path");
+      return [...document.querySelectorAll("article *")]
+        .filter((e) => e.checkVisibility() && !scrolled(e) && e.getBoundingClientRect().right > edge + 1)
+        .map((e) => `${e.tagName}.${e.className}: ${e.textContent.trim().slice(0, 40)}`);
+    }, phone.width);
+    assert.deepEqual(cut, [], name);
   }));
 
 test("on paper no code and no formula is cut off", () =>

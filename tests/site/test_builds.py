@@ -437,7 +437,7 @@ class Drawings(Copy):
         self.assertEqual(self.texts(drawn), ["ωo", "θ"])
         # Twenty strokes below a floor that is drawn from left to right.
         strokes = [
-            e.get("d") for e in drawn.iter() if e.get("stroke") == "#888" and not e.get("stroke-dasharray")
+            e.get("d") for e in drawn.iter() if e.get("stroke-width") == "1" and not e.get("stroke-dasharray")
         ]
         self.assertEqual(len(strokes), 20)
         self.assertTrue(all(path.split()[-1] == "209.0" for path in strokes), strokes)

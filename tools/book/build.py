@@ -16,6 +16,7 @@ from compare import stages
 from compare.stages import BUILD, ROOT, Failure, stage_headers
 from tools.book.definitions import link_definitions
 from tools.book.figures import PlacedFigures
+from tools.book.keep_together import keep_together
 from tools.book.measurements import measurements_page
 from tools.book.mistakes import mistakes_page
 from tools.book.page import page_of, weave
@@ -31,7 +32,7 @@ from tools.weave.transcripts import check_transcripts
 
 HERE = Path(__file__).parent
 PAGES = HERE / "pages"
-STATIC = ("book.css", "keys.js", "contents.js", "viewer.js", "search.js", "gallery.css", "gallery.js")
+STATIC = ("book.css", "keys.js", "contents.js", "scrollers.js", "viewer.js", "search.js", "gallery.css", "gallery.js")
 FONTS = ("source-serif-4", "jetbrains-mono")
 SIDEBAR_FROM = 97  # em of 16 px
 
@@ -125,12 +126,21 @@ def copy_fonts(static):
                 shutil.copy(package / "files" / file, target / "files")
 
 
+def name_levels(book):
+    """Captions of the sidebar's lists are headings: says of which level."""
+    for path in book.rglob("*.html"):
+        text = path.read_text()
+        path.write_text(text.replace('class="caption" role="heading"', 'class="caption" role="heading" aria-level="2"'))
+
+
 def finish(book):
     """What is done to the pages that Sphinx has made."""
     write_sections(book)
     headers = stage_headers() + core_headers()
     link_definitions(book, [(header, page_of(header)) for header in headers])
     set_formulas(book)
+    keep_together(book)
+    name_levels(book)
     # The menu instead of the sidebar as long as there is no room for two
     # columns beside it.
     style = book / "_static/styles/furo.css"

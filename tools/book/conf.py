@@ -23,7 +23,7 @@ fonts = [
     for style in ("wght.css", "wght-italic.css")
 ]
 html_css_files = [*fonts, "formulas.css", "book.css", "gallery.css", "live.css", "lab.css"]
-html_js_files = ["keys.js", "contents.js", "live.js", "lab.js", "viewer.js", "gallery.js"]
+html_js_files = ["keys.js", "contents.js", "scrollers.js", "live.js", "lab.js", "viewer.js", "gallery.js"]
 html_sidebars = {
     "**": [
         "sidebar/brand.html",
@@ -53,6 +53,6 @@ html_theme_options = {
     "dark_css_variables": {"color-brand-primary": "#f0a878", "color-brand-content": "#f0a878"},
     "footer_icons": [],
 }
-pygments_style = "tango"
+pygments_style = "tools.weave.code_colors.CodeColors"
 pygments_dark_style = "github-dark"
 copybutton_exclude = ".linenos, .gp"

@@ -30,6 +30,8 @@ SYMBOLS = {
     r"\sum": "Σ",
     r"\int": "∫",
     r"\Omega": "Ω",
+    r"\Phi": "Φ",
+    r"\gamma": "γ",
     r"\alpha": "α",
     r"\delta": "δ",
     r"\varepsilon": "ε",
@@ -63,13 +65,19 @@ def say(message, **values):
 def formula(text):
     r"""TeX as far as it can be read in a terminal: \frac{a}{b} is a/b."""
     group = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
+    text = re.sub(r"\\(?:displaystyle|underbrace|cancel)(?![a-zA-Z])", "", text)
+    text = re.sub(
+        r"(\\sqrt|\\[dt]?frac(?=\d\d)) ?(\w)(\d?)",
+        lambda m: f"{m[1]}{{{m[2]}}}" + (m[3] and f"{{{m[3]}}}"),
+        text,
+    )
     before = None
     while before != text:
         before = text
-        text = re.sub(r"\\[dt]?frac" + group + group, r"(\1)/(\2)", text)
+        text = re.sub(r"\\[dt]?frac" + group + r"\s*" + group, r"(\1)/(\2)", text)
         text = re.sub(r"\\sqrt" + group, r"√(\1)", text)
         text = re.sub(r"\\(?:text|mathrm)" + group, r"\1", text)
-    text = re.sub(r"\\[,;!] ?|\\quad|\\left|\\right|~", " ", text)
+    text = re.sub(r"\\[,;!] ?|\\q?quad|\\left|\\right|~", " ", text)
     # The longest names first: \phi is not \p followed by hi.
     for name in sorted(SYMBOLS, key=len, reverse=True):
         text = re.sub(re.escape(name) + r"(?![a-zA-Z])\s?", SYMBOLS[name], text)

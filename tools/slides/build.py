@@ -14,6 +14,7 @@ from compare.stages import BUILD, ROOT, Failure
 from tools.slides.course import course_table, unfilled
 from tools.slides.coverage import check_coverage
 from tools.slides.deck import decks
+from tools.slides.formulas import name_formulas
 from tools.slides.index import index_page
 from tools.slides.links import OWN, corner, without_links
 from tools.slides.listing import colors, fill
@@ -135,6 +136,8 @@ def main():
     (source / "theme.css").write_text(
         (ROOT / "slides/theme.css").read_text() + colors())
     marp(source)
+    for deck in every:
+        name_formulas(made / f"{deck.name}.html", deck)
     shutil.copytree(source / "figures", made / "figures")
     shutil.copytree(source, printed)
     for path in printed.glob("*.md"):

@@ -8,9 +8,9 @@ from pygments.formatters import HtmlFormatter
 from pygments.lexers import CppLexer
 
 from compare.stages import ROOT, Failure
+from tools.weave.code_colors import CodeColors
 from tools.weave.literate import changed_lines, earlier_version, region
 
-STYLE = "tango"
 LARGEST, SMALLEST = 23, 15  # pixels of a slide of 1280 by 720
 LETTER, LINE = 0.602, 1.36  # widest usual monospace letter, line height
 
@@ -87,7 +87,7 @@ def exercise_link(path, number):
 
 
 def colors():
-    rules = HtmlFormatter(style=STYLE).get_style_defs("pre.listing")
+    rules = HtmlFormatter(style=CodeColors).get_style_defs("pre.listing")
     return "\n".join(
         rule for rule in rules.split("\n") if "<" not in rule and re.match(r"pre\.listing \.(?!hll)", rule)
     )

@@ -160,15 +160,15 @@ def overfull(y):
     yield text(470, y - 10, "1.8", SOFT)
 
 
-def random_number(y):
-    yield line(30 + 440 * 0.52, y - 30, 30 + 440 * 0.52, y - 2, INK, 2, True)
-    yield text(30 + 440 * 0.52, y - 34, "ξ = 0.52", size=13)
+def random_number(y, xi=0.52):
+    yield line(30 + 440 * xi, y - 30, 30 + 440 * xi, y - 2, INK, 2, True)
+    yield text(30 + 440 * xi, y - 34, f"ξ = {xi}", size=13)
 
 
 @diagram("events", 500, 120)
 def event_bar_alone():
     yield from events(50)
-    yield from random_number(50)
+    yield from random_number(50, 0.88)
 
 
 @diagram("events-open", 500, 80)
@@ -190,7 +190,8 @@ def ray_counts():
         y = y0 - dy * power
         yield line(x0, y, x0 + 480, y, FAINT, 1)
         yield text(x0 - 10, y + 5, f"{10**power:,}", SOFT, "end", size=13)
-    for stage, color, name in ((3, WARM, "stage 3: every lobe"), (4, COOL, "stage 4: one at random")):
+    lines = ((3, WARM, "stage 3: every lobe", 6, -14), (4, COOL, "stage 4: one at random", 9, 26))
+    for stage, color, name, at, below in lines:
         points = []
         for bound in bounds:
             options = (f"--size 16x16 --spp 16 --max-bounces {bound}").split()
@@ -199,7 +200,7 @@ def ray_counts():
         yield curve(points, color, 2.2)
         for px, py in points:
             yield circle(px, py, 3.5, color)
-        yield text(points[6][0] - 12, points[6][1] - 14, name, color, "end")
+        yield text(points[at][0] - 12, points[at][1] + below, name, color, "end")
     for bound in bounds:
         yield text(x0 + dx * bound, y0 + 20, str(bound), SOFT, size=13)
     yield text(x0 + 240, y0 + 42, "bounces at most", size=14)

@@ -10,24 +10,24 @@ import re
 
 from compare.stages import Failure
 
-INK, SOFT, PAPER = "#222", "#888", "#fff"
-WARM, COOL, GREEN, RED, LAMP, GRAY = "#b4491a", "#1f5fa8", "#3c7a3c", "#b03030", "#e8b400", "#444"
-# Fills, on which all of the above can be read.
+INK, SOFT, PAPER = "#222", "#606060", "#fff"
+WARM, COOL, GREEN, RED, LAMP, GRAY = "#a54118", "#1f5fa8", "#2f6f2f", "#a82c2c", "#e8b400", "#444"
+# Fills, on which letters of the above stand out 4.5 to 1.
 SAND, GLASS, GLOW, FAINT = "#f3e9df", "#d9e4ef", "#fdf0c8", "#ddd"
 ON_DARK = {
     INK: "#dddddd",
-    SOFT: "#9a9a9a",
+    SOFT: "#a8a8a8",
     PAPER: "#131416",
     WARM: "#f0a878",
     COOL: "#82b4ee",
     GREEN: "#86c586",
-    RED: "#e88080",
+    RED: "#ec8a8a",
     LAMP: "#f0c83c",
     GRAY: "#b4b4b4",
     SAND: "#33291f",
     GLASS: "#1d2e40",
     GLOW: "#453b14",
-    FAINT: "#4a4a4a",
+    FAINT: "#383838",
 }
 # A drawing is this wide on a page, and the page's text is that high.
 SHOWN, TEXT = 541, 16
