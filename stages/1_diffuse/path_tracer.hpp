@@ -3,16 +3,17 @@
 // # Stage 1: diffuse surfaces
 //
 // A room has a lamp and several walls. A pixel of the picture shows a small
-// patch of a wall. Take one point of it: what color is it?
+// patch of a wall. Take one point of this patch: what color is it?
 //
-// It gets the light that leaves this point towards the camera. The wall has
-// no light of its own, so its light came from somewhere else. Some came
+// Its color is the light that leaves this point towards the camera. The wall
+// has no light of its own, so its light came from somewhere else. Some came
 // straight from the lamp. The rest came from other walls, and how bright they
 // are depends on *their* surroundings.
 //
-// A *path tracer* follows this chain backwards. It goes from the camera over
-// some walls to a lamp, along one random *path*. Then it takes another random
-// path. The mean of many paths is the color of the pixel.
+// A *path tracer* follows this chain backwards. It starts at the camera, and
+// goes from wall to wall until it meets a lamp. This is one random *path*.
+// Then it takes another random path. The mean of many paths is the color of
+// the pixel.
 //
 // ![](wall-and-lamp)
 //
@@ -59,7 +60,7 @@
 //
 // ## The equation contains itself
 //
-// Everything on the right is known but $L_i$. What arrives at $x$ from
+// Everything on the right is known, except $L_i$. What arrives at $x$ from
 // $\omega_i$? Follow this direction to the next surface, to its point $y$. In
 // clear air radiance does not change along a ray. So what arrives at $x$ is
 // what has left $y$, in the opposite direction:
@@ -102,11 +103,11 @@ namespace lightwalk::stage1 {
 // power that it gives back. It is an RGB color too: the red wall has (0.8,
 // 0.2, 0.2).
 //
-// Suppose the same radiance $L_i = 1$ arrives from every direction. A white
-// surface with $k_d = 1$ gives all power back. The light leaves equally in
-// all directions, as it has arrived. So the ratio of the radiances is that of
-// the powers, and the surface sends out $k_d$. Put this into the equation.
-// The constant comes out of the integral:
+// Suppose the same radiance $L_i = 1$ arrives from every direction. The
+// surface gives back the fraction $k_d$ of the power. The light leaves
+// equally in all directions, just as it has arrived. So the radiances have
+// the same ratio as the powers, and the surface sends out the radiance $k_d$.
+// Put this into the equation. The constant comes out of the integral:
 //
 // $$k_d = \int_\Omega 1 \cdot f_r \cos\theta\,d\omega
 // = f_r \int_\Omega \cos\theta\,d\omega = f_r\,\pi$$
@@ -185,9 +186,9 @@ inline Vec3 evaluate(const Material& material) {
 //
 // $$\int_a^b \frac{f(x)}{p(x)}\,p(x)\,dx = \int_a^b f(x)\,dx$$
 //
-// Such an estimator is called *unbiased*. The condition is that $p$ is above
-// 0 wherever $f$ is, for any function that has values. (A mirror has none.
-// Stage 3 will need another way.)
+// Such an estimator is called *unbiased*. The one condition is that $p$ is
+// above 0 wherever $f$ is not 0. (The BRDF of a mirror is not an ordinary
+// function. Stage 3 will need another way.)
 //
 // Now draw $x$ with the density $p(x) = 2x$, as in the right half of the
 // figure with the four numbers. Then $f/p$ is 1 for every sample. One sample
@@ -357,7 +358,7 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 // = k_d$$
 //
 // With cosine sampling nothing random is left in the weight. Only $L_i$ is
-// still random. Nor is there a division by a $\cos\theta$ that is nearly 0.
+// still random. And nothing is divided by a $\cos\theta$ that is nearly 0.
 //
 // How much does that save? Think of a lamp that fills the whole hemisphere,
 // with $L_i = 1$ everywhere. With cosine sampling every sample is $k_d$, and
@@ -368,10 +369,11 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 // ![](uniform-cosine)
 //
 // When your program runs, try it with `--sampling uniform`, the option of the
-// left picture. The weight also shows what a uniform $\theta$ does. The mean
-// of $\cos\theta$ should be 1/2, but over a uniform $\theta$ it is $2/\pi =
-// 0.64$. The mean weight is then not $k_d$ but $4 k_d/\pi = 1.27\,k_d$, at
-// each bounce anew. More samples do not help, because this is no noise.
+// left picture. The weight also shows why it was wrong to draw a uniform
+// $\theta$. The mean of $\cos\theta$ should be 1/2, but over a uniform
+// $\theta$ it is $2/\pi = 0.64$. The mean weight is then not $k_d$ but
+// $4 k_d/\pi = 1.27\,k_d$, at each bounce anew. More samples do not help,
+// because this is no noise.
 //
 // ![](theta-uniform)
 //
@@ -446,7 +448,7 @@ inline Vec3 emitted(const Surface& surface) {
 //
 // The path ends
 //
-// - where it leaves the scene. It brings nothing, since outside it is black;
+// - where it leaves the scene. It brings nothing, since all is black outside;
 // - at a lamp. It brings the emission times the throughput;
 // - after `max_bounces` bounces. It brings nothing.
 //
@@ -503,9 +505,9 @@ inline Vec3 emitted(const Surface& surface) {
 // ### How many bounces?
 //
 // A *bounce* is one scattering at a surface. With `--max-bounces 0` the
-// picture shows the lamps alone, with 1 what they light directly. Each
-// further bounce adds light that was scattered once more. Where nothing else
-// is said, the bound is 8.
+// picture shows the lamps alone. With 1 it also shows what they light
+// directly. Each further bounce adds light that was scattered once more.
+// Where nothing else is said, the bound is 8.
 //
 // The bound makes the picture too dark, because longer paths are missing.
 // Such an error is a *bias*, and more samples do not remove it. With

@@ -6,8 +6,8 @@
 // that happen? The lamp of the box is a square of side 0.6 under the ceiling,
 // so its area is $A = 0.36$. The middle of the floor is $d = 1.99$ below it.
 // Seen from there, the lamp fills a solid angle of about $A/d^2$. Near the
-// normal, cosine sampling has the density $1/\pi$. So a random direction hits
-// the lamp with the probability density times solid angle:
+// normal, cosine sampling has the density $1/\pi$. The probability to hit the
+// lamp is this density times the solid angle:
 //
 // $$\frac{1}{\pi} \cdot \frac{A}{d^2} = \frac{0.36}{\pi \cdot 1.99^2}
 // \approx 0.03$$
@@ -34,8 +34,8 @@
 // \textcolor[RGB]{194,90,34}{L_e(y, -\omega_i)} +
 // \textcolor[RGB]{58,123,200}{L_s(y, -\omega_i)}$$
 //
-// The slides give no formula for this step. An integral of a sum is a sum of
-// integrals, so put it into the rendering equation. Then the light that $x$
+// The slides give no formula for this step. Put this sum into the rendering
+// equation. An integral of a sum is a sum of integrals. So the light that $x$
 // scatters is the following. In the integrals $L_e$ and $L_s$ are those of
 // $y$, towards $x$:
 //
@@ -80,8 +80,8 @@ using stage1::sample;
 // \underbrace{\frac{L_e}{p(\omega)}}_{\text{the light}}$$
 //
 // The surface knows the first two factors. The light knows the last one, and
-// this is the `weight` of its answer. Since $1/p$ is in steradians, it is
-// radiance times solid angle, and its unit is $\mathrm{W/m^2}$.
+// this is the `weight` of its answer. $1/p$ is in steradians. So the weight
+// is radiance times solid angle, and its unit is $\mathrm{W/m^2}$.
 //
 // A `LightSample` is the answer: the weight, the direction, and the distance.
 // The shadow ray needs the distance, because what lies *behind* the light
@@ -90,7 +90,8 @@ using stage1::sample;
 // An aside about `float`. A computed distance is wrong in its last digits. So
 // for a lamp with a surface, `distance` is a little more than the distance to
 // the lamp: the factor is `1 + distance_rounding`. That is $2^{-18}$ more, 4
-// parts in a million. What the shadow ray meets there may be the lamp itself.
+// parts in a million. So the shadow ray may meet the lamp itself, and the
+// lamp does not block it.
 
 // #region light-sample
 struct LightSample {
@@ -115,8 +116,8 @@ inline constexpr float distance_rounding = 0x1p-18f;
 //
 // There is one direction only, so nothing is random. In the code $I$ is
 // `light.intensity`, and the light is at `light.center`. The slides call $I$
-// the light's power $p$, but they use it in just this way. So there is no
-// $4\pi$.
+// the light's power $p$, but they use it in just this way. So nothing is
+// divided by $4\pi$.
 //
 // ![](inverse-square)
 //
@@ -124,9 +125,9 @@ inline constexpr float distance_rounding = 0x1p-18f;
 // hang in a ceiling, and then the ceiling must not be in the way. So here the
 // shadow ray ends a little *before* the light. Rounding grows with the
 // coordinates too, so `distance` is reduced by `distance_rounding / 2` times
-// the sum of the distance and the light's largest coordinate,
-// `max_abs_component(light.center)`. (Half, since the sum is twice as much
-// where both are alike.)
+// a sum. Its terms are the distance and the light's largest coordinate
+// without sign, `max_abs_component(light.center)`. (The half is there because
+// the sum is twice the distance where both are alike.)
 
 // #region point-light
 inline LightSample sample_light(const PointLight& light, const Vec3& x,
@@ -251,8 +252,8 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // gives $\sin\theta_{max} = r/d$. All directions in the cone hit the lamp.
 //
 // In the code the center is `light.center`, $r$ is `light.radius`, and $L_e$
-// is `light.radiance`. For the rule, write the solid angle in angles, as in
-// stage 1:
+// is `light.radiance`. How does one draw $\theta$ and $\phi$? Write the solid
+// angle in angles, as in stage 1:
 //
 // $$d\omega = \sin\theta\,d\theta\,d\phi = d(1 - \cos\theta)\,d\phi$$
 //
@@ -400,9 +401,9 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 // ## Counted once
 //
 // The path goes on in a random direction, and it still runs into emitters.
-// Should their emission be added? The light must be counted exactly once:
-// either by the question at the vertex before, or by the hit. Two things
-// decide.
+// Should their emission be added? A *vertex* is a point where the path meets
+// a surface. The light must be counted exactly once: either by the question
+// at the vertex before, or by the hit. Two things decide.
 //
 // *What happened at the vertex before?* If it asked the lights, it may have
 // this light already. If the camera looks straight at the lamp, there was no
@@ -416,15 +417,16 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 // ![](who-counts)
 //
 // Get one of the four cells wrong, and you see it. If a lamp counts in both
-// places, everything but the lamp itself is twice as bright. It is also
+// places, everything except the lamp itself is twice as bright. It is also
 // noisy, because the second half is found by chance, as in stage 1. If a hit
 // never counts, the camera sees a black lamp.
 //
 // ![](counted)
 //
-// The fourth cell is the one that people forget. Take an emitter that cannot
-// be asked for one that was, and its light counts in *neither* place. A room
-// under a ceiling that shines is then black.
+// The fourth cell is the one that people forget. The vertex before asked the
+// lights, but it could not ask this emitter. If you think that it did, the
+// light counts in *neither* place. A room under a ceiling that shines is then
+// black.
 //
 // ![](counted-in-neither)
 //
@@ -569,17 +571,18 @@ class PathTracer {
 // ## Stage 2 minus stage 1 is noise
 //
 // Both stages estimate the same integral. So the difference of their pictures
-// must be noise around 0. No shape of the room may be seen, but where stage 1
-// has more noise than elsewhere, as at the lamp's edge. Type this, with any
-// scene that both can read:
+// must be noise around 0. No shape of the room may be seen in it. The only
+// exceptions are places where stage 1 has more noise, such as the lamp's
+// edge. Type this, with any scene that both can read:
 //
 //     make diff A=stage2 B=stage1 SCENE=scenes/cornell_box_lamp_diffuse.toml
 //
 // It renders both pictures and compares their means, in the whole picture and
 // in small regions. For each it prints $z$, the difference in standard
-// deviations, and above 4.4 it is no chance. It also prints the variance of A
-// over that of B: below 1, A has less noise. The same test finds a mistake:
-// count the lamp twice, and the room can be seen in the difference.
+// deviations. A $z$ above 4.4 hardly ever comes by chance. It also prints the
+// variance of A over that of B: below 1, A has less noise. The same test
+// finds a mistake: count the lamp twice, and the room can be seen in the
+// difference.
 //
 // ![](stage-2-minus-1)
 //
@@ -590,22 +593,21 @@ class PathTracer {
 //     build/stage2 scenes/cornell_box_point_diffuse.toml -o box.png
 //
 // With `--max-bounces 1` you see the direct light alone, and the shadows are
-// black. What is in the shadows in the other pictures came over the walls.
-// Look for red light beside the red wall.
+// black. With more bounces there is light in the shadows. It came from the
+// walls. Look for red light beside the red wall.
 //
 // ![](direct-and-all)
 //
 // ## What remains
 //
 // Some noise is left. The indirect light is still found by random directions.
-// Over a lamp that is seen as a whole, the cosines and distances vary from
+// Even if a lamp is seen as a whole, the cosines and distances vary from
 // point to point. At the soft edge of a shadow, the *penumbra*, only some of
 // the points on the lamp are visible. And close to a rectangle its weight has
 // no bound, because $d^2$ goes to 0: a wall that touches a lamp can have
 // bright specks. There a random direction would be the better estimator. To
-// combine the two is *multiple importance sampling* (Veach,
-// *Robust Monte Carlo Methods for Light Transport Simulation*, 1997, chapter
-// 9).
+// combine the two is *multiple importance sampling* (Veach, *Robust Monte
+// Carlo Methods for Light Transport Simulation*, 1997, chapter 9).
 //
 // There is a cost, too: one shadow ray for each light at each vertex. With a
 // thousand lights one would ask a few of them, chosen at random.

@@ -76,17 +76,18 @@ using stage2::is_counted;
 // the density grew without bound and canceled. What is left is a
 // *probability*. The direction is certain.
 //
-// The slide "Diffuse and specular BRDFs" has what the equation integrates:
-// $f_r\,|n \cdot \omega_i| = \frac{k_d}{\pi}\,|n \cdot \omega_i|$ if diffuse.
-// For a mirror it is $f_r\,|n \cdot \omega_i| = 1$ in one direction, and
+// The slide "Diffuse and specular BRDFs" has the product of BRDF and cosine.
+// A diffuse surface has
+// $f_r\,|n \cdot \omega_i| = \frac{k_d}{\pi}\,|n \cdot \omega_i|$. A mirror
+// has $f_r\,|n \cdot \omega_i| = 1$ in one direction, and
 // $f_r\,|n \cdot \omega_i| = 0$ in all others. This 1 is the integral over
 // the delta, not a value of it.
 //
 // The cosine under the delta cancels the cosine of the rendering equation. So
 // a mirror shows things as bright as they are, at its rim as in its middle.
-// Multiply by the cosine all the same, and mirror balls get dark rims. Draw
-// by cosine sampling with the weight $k_s$, and the ball is not a mirror at
-// all. The last picture has the wrong sign of the next section.
+// If you multiply by the cosine anyway, mirror balls get dark rims. If you
+// draw by cosine sampling with the weight $k_s$, the ball is not a mirror at
+// all. The last picture has a wrong sign, which the next section explains.
 //
 // ![](mirror-mistakes)
 //
@@ -147,7 +148,7 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 // $$\omega_t = -\frac{\eta_o}{\eta_i}\,(\omega_o - \cos\theta_o\,n)
 // - \cos\theta_i\,n, \qquad \cos\theta_i = \sqrt{1 - \sin^2\theta_i}$$
 //
-// This is a unit vector, but for rounding, so `normalize(v)` it.
+// This is a unit vector, except for rounding. So `normalize(v)` it.
 //
 // ## Total internal reflection
 //
@@ -163,9 +164,9 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 // everything outside.
 //
 // ![](critical-cone)
-// A tracer that ends the path there paints black glass. A ball hides it: a
-// path meets the wall at the angle that it was bent to on entering, and gets
-// out. A cube shows it.
+// A tracer that ends the path there paints black glass. A ball hides this
+// mistake. A path in it meets the surface at the angle that it was bent to on
+// entering, and so gets out. A cube shows the mistake.
 //
 // ![](cube-mistakes)
 // `relative_eta` returns $\eta_o/\eta_i$. The shape's normal,
@@ -356,8 +357,8 @@ inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
 //
 // A mirror gets a lamp's light by the path that goes on and hits the lamp.
 // "Counted once" has a third case: after a delta lobe no light was asked, so
-// the lamp counts. `direct_light_added` is true after a *diffuse* bounce
-// only, on plastic, too.
+// the lamp counts. `direct_light_added` is true only after a *diffuse*
+// bounce. That also holds for a material with several lobes.
 //
 // ![](mirrored-lamps)
 // Two things look like bugs, but are not. Under a *point* light a glass ball
@@ -367,13 +368,14 @@ inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
 // point. For the same reason a mirror shows no image of a point light.
 //
 // ![](glass-shadow)
-// Under a lamp with an area both are there. The caustic is noisy: a diffuse
-// bounce must find the lamp through the glass by chance.
+// Under a lamp with an area you see both the caustic and the lamp's image.
+// The caustic is noisy: a diffuse bounce must find the lamp through the glass
+// by chance.
 //
 // ## Follow every lobe
 //
-// Plastic has $k_d, k_s > 0$, where matt walls have only $k_d > 0$ and
-// mirrors $k_s > 0$ (slide "Combining coefficients"). If the path follows one
+// Plastic has $k_d, k_s > 0$. Matte walls have only $k_d > 0$, and mirrors
+// only $k_s > 0$ (slide "Combining coefficients"). If the path follows one
 // lobe only, the light of the other is missing.
 //
 // ![](plastic-lobes)
@@ -397,8 +399,9 @@ inline constexpr int most_bounces = 64;
 
 // What does the tree cost? Let all surfaces have two lobes, and count with
 // one light and $b$ bounces. The camera's ray meets a surface, and 2, 4, 8
-// rays follow: together $1 + 2 + \dots + 2^b = 2^{b+1} - 1$. Each surface but
-// those of the last row also sends a shadow ray, $2^b - 1$ in all. The sum is
+// rays follow: together $1 + 2 + \dots + 2^b = 2^{b+1} - 1$. Each surface,
+// except in the last row, also sends a shadow ray. These are $2^b - 1$ in
+// all. The sum is
 //
 // $$(2^{b+1} - 1) + (2^b - 1) = 3 \cdot 2^b - 2$$
 //
@@ -409,9 +412,9 @@ inline constexpr int most_bounces = 64;
 //
 // ![](tree-counts)
 // So with two lobes the bound must be low, 8 or less. Mirrors alone have one
-// ray per bounce and no such trouble. For them the bound is 64,
-// `most_bounces`, whatever is asked for. It cuts off little: with $k_s = 0.9$
-// only $0.9^{64} = 0.0012$ of the light is still on its way.
+// ray per bounce and no such trouble. For them you can ask for a bound of up
+// to 64, `most_bounces`. It cuts off little: with $k_s = 0.9$ only
+// $0.9^{64} = 0.0012$ of the light is still on its way.
 //
 // ## The path
 //

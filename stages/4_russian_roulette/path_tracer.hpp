@@ -45,10 +45,10 @@ using stage3::sample;
 //
 // ![](mean-is-area)
 //
-// Forget the division. Then the mean of a bounce is $p\,A$, not $A$, and the
-// picture is too dark. Divide by the probability of another event, and things
-// with several lobes have wrong colors. A wall with one lobe does not show
-// it.
+// If you forget the division, the mean of a bounce is $p\,A$, not $A$, and
+// the picture is too dark. If you divide by the probability of another event,
+// things with several lobes have wrong colors. A wall with one lobe does not
+// show it.
 //
 // ![](roulette-mistakes)
 //
@@ -130,10 +130,10 @@ using stage3::sample;
 //
 // ### Paths that never end
 //
-// With absorption no bound on the bounces is needed, say the slides. Nearly.
-// Glass with $k_s + k_t = 1$ absorbs nothing. Light inside it may be
-// reflected totally at every bounce, forever. Without any limit one such path
-// hangs the program.
+// The slides say that no bound on the bounces is needed with absorption. That
+// is nearly true. But glass with $k_s + k_t = 1$ absorbs nothing. Light
+// inside it may be reflected totally at every bounce, forever. Without any
+// limit one such path hangs the program.
 //
 // The cure is a limit. From bounce 16 on, the three events together get at
 // most 0.95. Then every path ends at some time. For such glass the weights
@@ -222,7 +222,7 @@ inline LobeProbabilities lobe_probabilities(const Material& material,
 //
 // There is a valid trick, though. After a diffuse event $\xi/p_d$, the number
 // stretched to the full length, is uniform in $[0, 1)$ again. Some programs
-// use it on. Here each choice draws a number of its own.
+// use it for the next choice. Here each choice draws a number of its own.
 //
 // ![](rest-of-the-number)
 
@@ -332,8 +332,8 @@ inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
 // Else `sample(lobe, surface, sampling_, random)` of stage 3 gives a
 // direction of the event's `lobe`. It returns a `BsdfSample`, with the
 // direction `wi` and its `weight`. Multiply the throughput by the weight over
-// the probability. The next ray is that of `spawn_ray`, from the hit towards
-// `wi`, which starts off the surface. Set the flag, too.
+// the probability. The next ray comes from `spawn_ray`. It goes from the hit
+// towards `wi`, and starts a little off the surface. Set the flag, too.
 
 // #region path
 class PathTracer {
@@ -413,8 +413,9 @@ class PathTracer {
 //
 // With one bounce both stages are about equal. With two, stage 3 is better:
 // its tree is still small, and which lobe is followed is not left to chance.
-// With six bounces it needs 4 times as long as stage 4 for the same noise,
-// and with eight 10 times. Each further bounce doubles its time.
+// With six bounces it needs 4 times as long as stage 4 for the same noise.
+// With eight it needs about 10 times as long. Each further bounce doubles the
+// time of a sample.
 //
 // The table's last column, the light that is cut, is no noise: more samples
 // do not mend it. Six bounces cut off 5 %. Without a bound stage 4 has all.

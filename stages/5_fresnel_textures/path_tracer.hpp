@@ -81,9 +81,9 @@ using stage4::LobeChoice;
 //   reflected: $F = 1$.
 // - $r_p$ is 0 where $\eta_i\cos\theta_o = \eta_o\cos\theta_i$. Multiply by
 //   Snell's law, $\eta_o\sin\theta_o = \eta_i\sin\theta_i$: then
-//   $\sin 2\theta_o = \sin 2\theta_i$. So $\theta_o + \theta_i$ is 90
-//   degrees, $\cos\theta_i = \sin\theta_o$, and $\tan\theta_o =
-//   \eta_i/\eta_o$.
+//   $\sin 2\theta_o = \sin 2\theta_i$. The angles differ, so
+//   $\theta_o + \theta_i$ is 90 degrees. Then $\cos\theta_i = \sin\theta_o$,
+//   and $\tan\theta_o = \eta_i/\eta_o$.
 //
 // The last one is *Brewster's angle*. Only s-polarized light is reflected
 // there. For glass of 1.5 it is 56.3 degrees from outside, and 33.7 from
@@ -213,8 +213,8 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 // ![](srgb-curve)
 //
 // Light can be mixed, bytes cannot. So `texel` decodes each byte before
-// anything else happens. Forget it, and byte 188 counts 0.74: every texture
-// looks pale.
+// anything else happens. If you forget it, byte 188 counts as 0.74, and every
+// texture looks pale.
 //
 // ![](texture-mistakes)
 //
@@ -334,16 +334,16 @@ inline Vec3 image_color(const Texture& texture, const Vec2& uv,
 //
 //     varnish = { kd = 0.3, ks = { schlick = [0.04, 0.6] } }
 //
-// *Schlick's approximation* goes from the color $k_0$ that is seen straight
-// on to 1 at grazing angles ("An Inexpensive BRDF Model for Physically-based
-// Rendering", Computer Graphics Forum 13(3), 1994). Here any color $k_{90}$
-// may stand for the 1:
+// *Schlick's approximation* begins with the color $k_0$, where you look
+// straight at the surface. It rises to 1 at grazing angles ("An Inexpensive
+// BRDF Model for Physically-based Rendering", Computer Graphics Forum 13(3),
+// 1994). Here any color $k_{90}$ may replace the 1:
 //
 // $$k(\theta) = k_0 + (k_{90} - k_0)(1 - \cos\theta)^5$$
 //
 // Here $\theta$ is the angle of $\omega_o$. So use it for $k_s$: a $k_d$ that
 // depends on one of the two directions alone breaks Helmholtz *reciprocity*.
-// It demands that light may be sent backwards on the same way.
+// This law says that light can go the same way backwards.
 //
 // With $k_0 = 0.04$ and $k_{90} = 1$ it is close to the $F$ of glass, seen
 // from outside. It needs two colors, and no index. That helps most with
@@ -462,10 +462,10 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
 //     ...
 //     radiance of this sample = (1.000, 1.000, 1.000)
 //
-// Another sample of the same pixel meets the ball at another point, a little
-// beside. It is one of the 5 in 100 that are reflected.
-// Its probability was $F$, its weight is $F/F = 1$. It counts in full, too,
-// and sees the red wall.
+// Another sample of the same pixel meets the ball at another point, close to
+// the first. It is one of the 5 in 100 that are reflected. Its probability
+// was $F$, and its weight is $F/F = 1$. It counts in full, too, and sees the
+// red wall.
 //
 //     $ build/stage5 scenes/fresnel_glass.toml --pixel 60,165
 //     > --sample 24
@@ -587,8 +587,8 @@ class PathTracer {
 //
 // What remains? Rough metals and cloth need lobes that are neither diffuse
 // nor a delta. Fog scatters light between the surfaces. Many lights need a
-// choice among them. All of these are new things to draw at random, a
-// direction, a distance or a light, and to divide by their density. You can
-// read about them now.
+// choice among them. Each of these needs one more random choice: of a
+// direction, a distance or a light. And each divides by the density or the
+// probability of its choice. You can read about all of these now.
 //
 }  // namespace lightwalk::stage5
