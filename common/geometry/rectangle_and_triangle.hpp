@@ -64,8 +64,8 @@ struct Triangle : FlatShape {
   using FlatShape::FlatShape;
 };
 
-/// What it takes to intersect rectangles, or triangles: eight with one ray, or
-/// one with many.
+/// What it takes to intersect rectangles, or triangles: eight with one ray,
+/// or one with many.
 template <class Shape, class Vector, class Number>
 struct FlatForm {
   Vector corner, normal, dual_u, dual_v;

@@ -5,10 +5,10 @@
 // A program that may run on any x86-64 can only use what the first of them
 // had: registers of four floats. Since 2013 they hold eight, and a whole pack
 // of shapes fits; since 2017 some hold sixteen. So each stage is compiled
-// again for AVX2, and what works on rows of paths for AVX-512 too. The one for
-// everybody looks at the processor when it starts, and hands over to the best
-// of its twins, `avx2/stage4` beside `stage4`. They give the same bits: they
-// are compiled without fused multiply-adds, and lanes round like single
+// again for AVX2, and what works on rows of paths for AVX-512 too. The one
+// for everybody looks at the processor when it starts, and hands over to the
+// best of its twins, `avx2/stage4` beside `stage4`. They give the same bits:
+// they are compiled without fused multiply-adds, and lanes round like single
 // numbers.
 //
 // The twins are whole programs, and not two versions of a function in one,

@@ -8,10 +8,11 @@
 // floats or more, with what rows need. It is not there for a program that any
 // x86-64 can run, nor where Highway is not installed.
 
-// On ARM it wants the instructions for ciphers, too (`-march=armv8-a+crypto`).
+// On ARM it wants the instructions for ciphers, too (armv8-a+crypto).
 
 #if __has_include(<hwy/highway.h>) && \
-    (defined(__SSSE3__) || (defined(__ARM_NEON) && defined(__ARM_FEATURE_AES)))
+    (defined(__SSSE3__) ||            \
+     (defined(__ARM_NEON) && defined(__ARM_FEATURE_AES)))
 #define LIGHTWALK_ROWS
 // Its headers alone: the checks of a debug build are in its library.
 #ifndef HWY_COMPILE_ONLY_STATIC

@@ -559,7 +559,7 @@ class PathTracer {
         sampling_(settings.sampling) {}
 
   /// Radiance that comes back along the ray, as one path sees it. Its mean
-  /// over many paths solves the rendering equation, but for light of more
+  /// over many paths solves the rendering equation, except for light of more
   /// than `max_bounces` bounces.
   Vec3 radiance(Ray ray, Random& random) const {
     // #region exercise 1.5: path loop

@@ -171,7 +171,7 @@ inline Vec2 plane_coordinates(const Vec3& normal, const Vec3& position) {
   return {dot(u, position), dot(v, position)};
 }
 
-/// (u, v) of a hit. In [0, 1]^2 but for planes, which have no end.
+/// (u, v) of a hit. In [0, 1]^2 except for planes, which have no end.
 inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
   const Geometry& shapes = scene.geometry;
   switch (hit.shape_type) {

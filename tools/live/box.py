@@ -13,8 +13,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure, stage_headers
+from compare.stages import BUILD, ROOT, Failure
 from tests.mistakes.mistakes import CATALOGUE, read_mistakes
+from tools.exercises.sheet import headers_with_exercises
 from tools.weave.mistaken import header_with
 
 HERE = Path(__file__).parent
@@ -50,9 +51,11 @@ def find_glm(folder):
 
 def write_variants(folder):
     """Writes variants.inc. Returns what the page has to know of each."""
-    headers = [str(path.relative_to(ROOT)) for path in stage_headers()]
+    # Stage 6 paints what stage 5 does, by registers that a page has not.
+    chapters = headers_with_exercises()
+    headers = [str(path.relative_to(ROOT)) for path in chapters]
     tracers, facts = [], []
-    for path in stage_headers():
+    for path in chapters:
         stage = int(path.parent.name[0])
         tracers.append(f"stage{stage}::PathTracer")
         facts.append({"stage": stage, "name": "", "label": "right", "sentence": ""})
