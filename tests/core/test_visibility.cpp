@@ -99,6 +99,8 @@ TEST_CASE("visible agrees with the nearest hit, in both directions") {
                           random_position(random, 1),
                           random_position(random, 1), &material});
   }
+  geometry.add(Plane{normalize(Vec3(1, 2, -3)), 1.5f, &material});
+  geometry.add(Sphere{{0, -1e5f - 2, 0}, 1e5f, &material});
   int hidden = 0, one_way = 0;
   for (int i = 0; i < 5000; ++i) {
     const Vec3 from = random_position(random, 3);

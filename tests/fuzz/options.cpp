@@ -97,7 +97,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   {
     Printed printed;
     code = parse_options(count, arguments.data(),
-                         {"stage5", "A program.", most_bounces}, options);
+                         {.program = "stage5",
+                          .description = "A program.",
+                          .most_bounces = most_bounces},
+                         options);
     errors = printed.errors();
   }
   if (!code) {
