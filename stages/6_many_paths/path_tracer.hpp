@@ -554,7 +554,7 @@ LIGHTWALK_IN_ONE_PIECE inline Mask PathTracer::step(Paths& path,
 //
 // - In each lane the operations are those of stage 5, in its order. A
 //   compiler might turn `a * b + c` into one instruction that rounds only
-//   once. It is told not to: see `cmake/CompilerOptions.cmake`.
+//   once. It is told not to.
 // - The random numbers depend on the sample, not on the lane, nor on what
 //   other paths have drawn (`common/math/random.hpp`).
 // - Samples end in another order than they begin. So each writes its radiance

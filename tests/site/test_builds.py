@@ -14,7 +14,7 @@ from xml.etree import ElementTree
 from compare.stages import BUILD, ROOT, built_stages
 from tests.mistakes.mistakes import read_mistakes
 
-SOURCES = ["common", "compare", "scenes", "slides", "stages", "tests/mistakes", "tools"]
+SOURCES = ["common", "compare", "measured", "scenes", "slides", "stages", "tests/mistakes", "tools"]
 SOURCES += [f"tests/{name.replace('_tests', '')}" for name in built_stages()]
 STAGE1 = "stages/1_diffuse/path_tracer.hpp"
 STAGE3 = "stages/3_specular_refraction/path_tracer.hpp"

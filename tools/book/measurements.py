@@ -4,7 +4,7 @@ import json
 import shutil
 from statistics import median
 
-from compare.stages import ROOT
+from compare.stages import ROOT, Failure
 
 MEASURED = ROOT / "measured"
 
@@ -37,6 +37,9 @@ def benchmarks(path):
 
 def measurements_page(source):
     """The page's lines, from the folder measured/."""
+    for name in ("efficiency.md", "peers.md", "benchmarks.md", "convergence.svg"):
+        if not (MEASURED / name).exists():
+            raise Failure(f"measured/{name} is not there: `make measured` writes it")
     (source / "figures").mkdir(parents=True, exist_ok=True)
     shutil.copy(MEASURED / "convergence.svg", source / "figures/convergence.svg")
 
