@@ -21,8 +21,9 @@ let browser;
 before(async () => (browser = await launch()));
 after(() => browser?.close());
 
-test("there is a deck for the recap and for each stage", () => {
-  const stages = fs.readdirSync(`${root}/stages`).filter((n) => /^\d_/.test(n));
+test("there is a deck for the recap and for each stage with exercises", () => {
+  const stages = fs.readdirSync(`${root}/stages`).filter((n) => /^\d_/.test(n) &&
+    fs.readFileSync(`${root}/stages/${n}/exercises.toml`, "utf8").includes("[[exercise]]"));
   assert.equal(decks.length, stages.length + 1);
 });
 
