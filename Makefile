@@ -209,7 +209,7 @@ signatures: setup $(BUILD)/CMakeCache.txt
 
 # Repetitions, since times scatter: BASE names an earlier bench.json, which
 # Google Benchmark's own compare.py sets beside this one.
-BENCH_ARGS ?= --benchmark_repetitions=9 --benchmark_min_time=0.1
+BENCH_ARGS ?= --benchmark_repetitions=5 --benchmark_min_time=0.05
 bench: build
 	@cmake --build $(BUILD) -j $(JOBS) --target benchmarks
 	@$(BUILD)/benchmarks $(BENCH_ARGS) --benchmark_out_format=json \

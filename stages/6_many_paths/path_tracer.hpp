@@ -641,8 +641,8 @@ inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
 //
 // | the lab's box, all materials | AVX2 | AVX-512 |
 // |---|---|---|
-// | under a point light | 4.4 | 5.7 |
-// | under its shining ceiling | 3.8 | 4.7 |
+// | under a point light | 4.6 | 6.0 |
+// | under its shining ceiling | 4.1 | 5.0 |
 //
 // Why not 16 times as fast? A division of 16 numbers takes longer than one of
 // a single number. Some lanes wait whenever another branch is worked out. And
