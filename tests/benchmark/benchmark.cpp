@@ -134,8 +134,7 @@ void occluded(benchmark::State& state) {
     const Vec3 from = random_position(random);
     const Vec3 to = random_position(random);
     const Ray ray{from, normalize(to - from)};
-    benchmark::DoNotOptimize(
-        scene.geometry.occluded(ray, length(to - from)));
+    benchmark::DoNotOptimize(scene.geometry.occluded(ray, length(to - from)));
   }
   state.SetItemsProcessed(state.iterations());
 }
