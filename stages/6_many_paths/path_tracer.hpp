@@ -11,9 +11,9 @@
 // This stage follows 16 paths together. All of them take one step, then all
 // take the next. The idea of the picture does not change. The estimator is
 // stage 5's, and so are the random numbers. Even the picture is the same, to
-// the last bit. In a scene of few shapes it is there four to six times as
-// fast. (Where a register holds four floats, as on ARM, read "four" for every
-// "16" of this chapter.)
+// the last bit. In a scene of few shapes, stage 6 makes it four to six times
+// as fast. (Where a register holds four floats, as on ARM, a row has four
+// lanes.)
 //
 // ![](one-and-sixteen)
 //
@@ -58,8 +58,9 @@ namespace lightwalk::stage6 {
 // Four words are for the compiler alone, and you may skip them. `HWY_INLINE`
 // and `LIGHTWALK_IN_ONE_PIECE` put a function into its caller,
 // `LIGHTWALK_APART` keeps it out, and `HWY_ATTR` says for which instructions
-// it is compiled. `LIGHTWALK_ROWS` is defined where registers are wide. Where
-// it is not, the end of this file makes stage 6 the same as stage 5.
+// it is compiled. `LIGHTWALK_ROWS` is defined where Highway is installed and
+// the processor has the instructions that rows need. Elsewhere the end of
+// this file makes stage 6 the same as stage 5.
 
 // #region formulas
 HWY_INLINE Vec3s sample_uniform_hemisphere(const Vec3s& normal,
@@ -116,9 +117,10 @@ HWY_INLINE Vec3s reflect(const Vec3s& wo, const Vec3s& normal) {
 // A lane that is on may also take the root of a negative number, in the
 // branch that is not its own. There `select` leaves the NaN out.
 //
-// The fourth line saves time. Where no lane at all takes a branch, it can be
-// left out. Otherwise the function gets the mask, and changes only the lanes
-// that are set in it. With 16 lanes a branch is seldom left out. If one path
+// The line with `any` saves time. Where no lane at all takes a branch, it is
+// left out. Otherwise only its own lanes may change: the function gets the
+// mask, or a `select` has it. The last line is explained under "A table for
+// all". With 16 lanes a branch is seldom left out. If one path
 // in ten is in glass, some path of 16 is in glass 81 times out of 100.
 //
 // Refraction returned nothing where all light is reflected. A row cannot
@@ -253,7 +255,7 @@ HWY_INLINE LobeChoices choose_lobes(const Materials& material,
   const Floats diffuse = max_component(material.kd);
   const Floats specular = max_component(material.ks);
   const Floats refraction = max_component(material.kt);
-  const Mask is_early = bounce < Ints(stage4::first_limited_bounce);
+  const Mask is_early = bounce < stage4::first_limited_bounce;
   const Floats limit = select(is_early, Floats(1), stage4::survival_limit);
   const Floats sum = diffuse + specular + refraction;
   const Floats scale = select(sum > limit, limit / sum, 1.0f);
@@ -387,9 +389,9 @@ HWY_INLINE LightSamples sample_light(const SphereLight& light, const Vec3s& x,
 // #endregion lights
 
 // Direct light is stage 2's, with masks. A lane that faces away from the
-// light is not in `faces`. It says `!(cos_theta <= 0)`, and not `cos_theta >
-// 0`, because stage 2 goes on only where `cos_theta <= 0`: for a NaN the two
-// are not the same. A lane in shadow is not in `lit`.
+// light is not in `faces`. Stage 2 skips a light where `cos_theta <= 0`. A
+// NaN is not skipped by that, and `cos_theta > 0` would skip it. So the mask
+// says `!(cos_theta <= 0)`. A lane in shadow is not in `lit`.
 //
 // There are two kinds of shadow rays. A point light has no shape, so nothing
 // may be in the way at all. Any other light is a shape, and the ray may meet
@@ -441,9 +443,10 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
 // Everything that a path carries from one surface to the next stands in
 // `Paths`. The paths of a row are at different bounces, so `bounce` is a row,
 // too. The body of stage 5's loop becomes `step`. Lay the two side by side:
-// the comments are the same, and the order is the same. New is only
-// `count_rays`, which was inside the search. `log_vertex` is missing, since
-// stage 5 tells you a single path.
+// the comments are the same, and so is their order. `count_rays` was inside
+// the search, and what adds 1 to `bounce` was in the head of the loop.
+// `log_vertex` is missing: with `--pixel`, stage 5 follows the path and tells
+// it.
 //
 // In stage 5 a path ended in four places, by four `return`s. Here there are
 // four lines in which `on` loses lanes: who meets nothing, who meets an
@@ -451,7 +454,9 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
 // three masks have only lanes that were on.) `step` returns who is left.
 //
 // Rays of all lanes meet one shape, then all meet the next, and each lane
-// keeps the nearest (`common/rows/shape_table.hpp`).
+// keeps the nearest (`common/rows/shape_table.hpp`). Lanes that are off come
+// along for nothing. A lane that met nothing has the first shape's line, and
+// what it finds there is not used.
 
 // #region paths
 inline constexpr int paths_at_once = row_lanes;
@@ -508,7 +513,7 @@ LIGHTWALK_IN_ONE_PIECE inline Mask PathTracer::step(Paths& path,
     path.sum = select(emits & !counted, path.sum + found, path.sum);
   }
   on = on & !emits;
-  on = on & (path.bounce != Ints(max_bounces_));
+  on = on & (path.bounce != max_bounces_);
 
   // Ask the lights, for the diffuse lobe.
   const Mask asking = on & !is_black(material.kd);
@@ -527,7 +532,7 @@ LIGHTWALK_IN_ONE_PIECE inline Mask PathTracer::step(Paths& path,
   const BsdfSamples next = sample(lobe, surface, sampling_, path.random);
   path.throughput = path.throughput * (next.weight / lobe.probability);
   path.ray = spawn_rays(hit, next.wi);
-  path.bounce = path.bounce + Ints(1);
+  path.bounce = path.bounce + 1;
   path.direct_light_added = lobe.diffuse;
   return on;
 }
@@ -561,15 +566,18 @@ LIGHTWALK_IN_ONE_PIECE inline Mask PathTracer::step(Paths& path,
 //   into its place in a list. When the tile is done, the list goes into the
 //   film in order.
 //
-// What is it worth? An error in this chapter shows in the first scene that
-// meets it: render the same with stage 5, and compare. So the tests of this
-// stage need no tolerance.
+// ![](in-their-places)
+//
+// What is it worth? If there is an error in this code, the first scene that
+// meets it shows it: render the same with stage 5, and compare. So the tests
+// of this stage need no tolerance.
 //
 // So far the program asked a stage for one ray after the other. This stage is
 // given a *tile*, 16 by 16 pixels, and makes its rays itself. `SampleQueue`
 // has the samples of the tile, and a `Film` adds up the pixels. If the user
 // ends the program, `stop` is set, and the tile is dropped. `samples_taken`
-// only counts, for the display.
+// only counts, for the display. `mask_of` makes a mask of bits, bit 0 for
+// lane 0, and `nobody` is the mask without a lane.
 
 // #region render-tile
 /// Makes a new path in each `fresh` lane, where SampleQueue::take has left a
@@ -577,10 +585,10 @@ LIGHTWALK_IN_ONE_PIECE inline Mask PathTracer::step(Paths& path,
 inline void PathTracer::begin(Paths& path, const Mask& fresh) const {
   const Vec3s black(Vec3(0)), white(Vec3(1)), eye(scene_.scene.camera.origin);
   path.ray.origin = select(fresh, eye, path.ray.origin);
-  path.ray.leaves = select(fresh, Ints(no_slot), path.ray.leaves);
+  path.ray.leaves = select(fresh, no_slot, path.ray.leaves);
   path.throughput = select(fresh, white, path.throughput);
   path.sum = select(fresh, black, path.sum);
-  path.bounce = select(fresh, Ints(0), path.bounce);
+  path.bounce = select(fresh, 0, path.bounce);
   // The path before ended without an event: direct_light_added is not set.
 }
 
@@ -637,17 +645,17 @@ inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
 //
 // AVX2 and AVX-512 are names of instruction sets. Their registers hold 8 and
 // 16 floats, so a row is two registers of AVX2. How many times as long stage
-// 5 takes, in processor time:
+// 5 takes, in processor time (it uses AVX2 in both columns):
 //
 // | the lab's box, all materials | AVX2 | AVX-512 |
 // |---|---|---|
 // | under a point light | 4.6 | 6.0 |
 // | under its shining ceiling | 4.1 | 5.0 |
 //
-// Why not 16 times as fast? A division of 16 numbers takes longer than one of
-// a single number. Some lanes wait whenever another branch is worked out. And
-// what stands in 16 lanes does not fit into the registers, so that much is
-// moved to memory and back.
+// Why not 16 times as fast? Stage 5's search uses the registers, too. A
+// division of 16 numbers takes longer than one of a single number. Some lanes
+// wait whenever another branch is worked out. And what stands in 16 lanes
+// does not fit into the registers, so that much is moved to memory and back.
 //
 // From 64 shapes of one type on, the search uses a tree of boxes, and there
 // 16 rays take 16 different ways. So each ray searches alone, as in stage 5.
@@ -677,7 +685,7 @@ inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
 
 }  // namespace lightwalk::stage6
 
-#else  // registers are narrow
+#else  // no rows here
 
 namespace lightwalk::stage6 {
 using stage5::PathTracer;

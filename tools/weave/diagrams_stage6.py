@@ -83,6 +83,22 @@ def lookup():
         yield line(x, 138, x, 172, COOL, 1.6, True)
 
 
+@diagram("in-their-places", 520, 200)
+def in_their_places():
+    """Samples end in one order, and stand in a list in another."""
+    ended = [2, 1, 5, 3, 4, 8, 6, 7]
+    left, width = 150, 44
+    yield text(left - 14, 34, "as they end", INK, "end")
+    yield text(left - 14, 154, "the list", INK, "end")
+    for i, sample in enumerate(ended):
+        yield cell(left + i * width, 12, width, 32, SAND)
+        yield text(left + (i + 0.5) * width, 34, str(sample))
+        yield line(left + (i + 0.5) * width, 48, left + (sample - 0.5) * width, 127, COOL, 1.6, True)
+        yield cell(left + i * width, 132, width, 32, GLOW)
+        yield text(left + (i + 0.5) * width, 154, str(i + 1))
+    yield text(left + 4 * width, 194, "added to the film from left to right")
+
+
 @functools.cache
 def path_lengths():
     """How many steps paths of the lab's box take, one for each of some pixels."""
