@@ -176,18 +176,6 @@ class Geometry {
     if (ray.leaves >> 3 == number) t[ray.leaves & 7] = ray.again;
     return t;
   }
-  /// Whether the ray meets one of the shapes of a pack before `end`.
-  template <class Pack>
-  static bool blocks(const Pack& pack, std::int32_t number, const Ray& ray,
-                     float end) {
-    unsigned lanes = lanes_of(pack.blocks(ray, end));
-    if (ray.leaves >> 3 == number) {
-      const unsigned left = 1u << (ray.leaves & 7);
-      const bool again = 0 < ray.again && ray.again < end;
-      lanes = again ? lanes | left : lanes & ~left;
-    }
-    return lanes != 0;
-  }
   static_assert(lane_count == 8);
 
   // #region nearest
@@ -255,7 +243,8 @@ class Geometry {
     }
     for (std::int32_t i = first; i < packs_seen; ++i) {
       const Pack& pack = list.packs()[static_cast<std::size_t>(i - first)];
-      if (blocks(pack, i, ray, distance)) return true;
+      const Float8 t = distances(pack, i, ray);
+      if (any((t > 0.0f) & (t < distance))) return true;
     }
     return false;
   }
@@ -267,7 +256,8 @@ class Geometry {
     bool occluded = false;
     list.tree().walk(ray, distance, [&](std::uint32_t i) {
       const std::int32_t number = first + static_cast<std::int32_t>(i);
-      occluded = blocks(list.packs()[i], number, ray, distance);
+      const Float8 t = distances(list.packs()[i], number, ray);
+      occluded = any((t > 0.0f) & (t < distance));
       return occluded ? -1 : distance;  // nothing matters any more
     });
     return occluded;

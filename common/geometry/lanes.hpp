@@ -116,9 +116,6 @@ inline Float8 operator-(const Float8& a) {
 inline Int8 operator&(const Int8& a, const Int8& b) {
   return each_part<Int8>([&](int i) { return a.part[i] & b.part[i]; });
 }
-inline Int8 operator|(const Int8& a, const Int8& b) {
-  return each_part<Int8>([&](int i) { return a.part[i] | b.part[i]; });
-}
 
 /// In each lane `yes` where the mask is set, and otherwise `no`.
 template <class Number, class Part>
@@ -144,12 +141,6 @@ inline Int8 broadcast(std::int32_t x) {
 }
 inline Float8 select(const Int8& mask, const Float8& yes, float no) {
   return select(mask, yes, broadcast(no));
-}
-inline Float8 min(const Float8& a, float b) {
-  return min(a, broadcast(b));
-}
-inline Float8 max(float a, const Float8& b) {
-  return max(broadcast(a), b);
 }
 
 inline Float8 abs(const Float8& x) {
@@ -237,9 +228,6 @@ inline Vec3x8 operator-(const Vec3& a, const Vec3x8& b) {
 /// For each lane a, the vector a * b.
 inline Vec3x8 operator*(const Float8& a, const Vec3& b) {
   return {a * b.x, a * b.y, a * b.z};
-}
-inline Vec3x8 operator+(const Vec3x8& a, const Vec3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 inline Vec3x8 operator+(const Vec3x8& a, const Vec3x8& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};

@@ -37,15 +37,6 @@ struct PlaneForm {
     return -height / dot(normal, ray.direction);
   }
   // #endregion plane-intersection
-
-  /// Whether the ray meets it before `end`: both ends of that piece are on
-  /// different sides.
-  template <class Rays, class Distance>
-  auto blocks(const Rays& ray, const Distance& end) const {
-    const auto here = dot(normal, ray.origin) + distance;
-    const auto there = here + end * dot(normal, ray.direction);
-    return here * there < 0.0f;
-  }
 };
 
 inline PlaneForm<Vec3, float> form_of(const Plane& plane) {

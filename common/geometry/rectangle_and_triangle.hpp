@@ -94,13 +94,6 @@ struct FlatForm {
     return select(inside, distance, infinity);
   }
   // #endregion flat-intersection
-
-  /// Whether the ray meets it before `end`.
-  template <class Rays, class Distance>
-  auto blocks(const Rays& ray, const Distance& end) const {
-    const auto t = intersect(ray);
-    return (t > 0.0f) & (t < end);
-  }
 };
 
 template <class Shape>

@@ -64,24 +64,6 @@ struct SphereForm {
   }
   // #endregion sphere-intersection
 
-  /// Whether the ray meets it before `end`: the point of that piece that is
-  /// nearest to the center is inside, and not both of its ends are.
-  template <class Rays, class Distance>
-  auto blocks(const Rays& ray, const Distance& end) const {
-    if (has_large) {
-      const auto t = intersect(ray);
-      return (t > 0.0f) & (t < end);
-    }
-    const auto f = ray.origin - center;
-    const auto b = -dot(f, ray.direction);
-    const auto nearest = f + max(0.0f, min(b, end)) * ray.direction;
-    const auto last = f + end * ray.direction;
-    const auto starts_outside = dot(f, f) > radius_squared;
-    const auto ends_outside = dot(last, last) > radius_squared;
-    return (dot(nearest, nearest) < radius_squared) &
-           (starts_outside | ends_outside);
-  }
-
   /// The same as f . f - r^2, with all its digits if a sphere is large.
   template <class Rays>
   auto product_of_roots(const Rays& ray) const {

@@ -79,14 +79,12 @@ class ShapeTable {
     if (geometry_.has_tree()) {
       return occluded_one_by_one(rays, distance, wanted);
     }
-    const Mask again = (rays.again > 0.0f) & (rays.again < distance);
     Mask occluded = nobody();
     std::int32_t line = 0;
     const auto consider = [&](const auto& shapes) HWY_ATTR {
       for (const auto& shape : shapes) {
-        const Mask is_left = rays.leaves == Ints(line);
-        const Mask blocked = shape.blocks(rays, distance);
-        occluded = occluded | (is_left & again) | (!is_left & blocked);
+        const Floats t = distances(shape, line, rays);
+        occluded = occluded | ((t > 0.0f) & (t < distance));
         ++line;
       }
     };
@@ -169,6 +167,15 @@ class ShapeTable {
                                 : search_together(rays, limit);
   }
 
+  /// Where the rays meet the shape of a line. The one that a ray leaves is met
+  /// again at a distance that the ray knows.
+  template <class Form>
+  static HWY_INLINE Floats distances(const Form& shape, std::int32_t line,
+                                     const Rays& rays) {
+    const Mask is_left = rays.leaves == line;
+    return select(is_left, rays.again, shape.intersect(rays));
+  }
+
   // #region together
   HWY_INLINE First search_together(const Rays& rays,
                                    const Floats& limit) const {
@@ -176,8 +183,7 @@ class ShapeTable {
     std::int32_t line = 0;
     const auto consider = [&](const auto& shapes) HWY_ATTR {
       for (const auto& shape : shapes) {
-        const Mask is_left = rays.leaves == Ints(line);
-        const Floats t = select(is_left, rays.again, shape.intersect(rays));
+        const Floats t = distances(shape, line, rays);
         const Mask nearer = (t > 0.0f) & (t < first.distance);
         first.distance = select(nearer, t, first.distance);
         first.line = select(nearer, Ints(line), first.line);
