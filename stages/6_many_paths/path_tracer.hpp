@@ -649,8 +649,8 @@ inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
 //
 // | the lab's box, all materials | AVX2 | AVX-512 |
 // |---|---|---|
-// | under a point light | 4.6 | 6.0 |
-// | under its shining ceiling | 4.1 | 5.0 |
+// | under a point light | 4.6 | 6.1 |
+// | under its shining ceiling | 3.9 | 4.9 |
 //
 // Why not 16 times as fast? Stage 5's search uses the registers, too. A
 // division of 16 numbers takes longer than one of a single number. Some lanes
