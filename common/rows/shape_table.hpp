@@ -167,8 +167,8 @@ class ShapeTable {
                                 : search_together(rays, limit);
   }
 
-  /// Where the rays meet the shape of a line. The one that a ray leaves is met
-  /// again at a distance that the ray knows.
+  /// Where the rays meet the shape of a line. The one that a ray leaves is
+  /// met again at a distance that the ray knows.
   template <class Form>
   static HWY_INLINE Floats distances(const Form& shape, std::int32_t line,
                                      const Rays& rays) {
