@@ -219,16 +219,6 @@ HWY_INLINE Floats to_float(const Doubles& a) {
   return row;
 }
 
-template <class Number>
-HWY_INLINE Row<Number> load(const Number* numbers) {
-  Row<Number> row;
-  for (int i = 0; i < Row<Number>::parts; ++i) {
-    row.part[i] = hn::LoadU(RegisterTag<Number>(),
-                            numbers + i * register_lanes<Number>);
-  }
-  return row;
-}
-
 /// The lanes of a mask that are set: lane 0 is bit 0.
 HWY_INLINE unsigned lanes_of(const Mask& mask) {
   unsigned set = 0;

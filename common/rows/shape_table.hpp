@@ -65,34 +65,13 @@ class ShapeTable {
   }
 
   /// Whether each ray reaches a light of the scene, by its number: it meets
-  /// nothing before `distance` but the light itself.
+  /// nothing before `distance` but the light itself. A point light has no
+  /// shape that could be met.
   HWY_INLINE Mask reach(const Rays& rays, const Floats& distance,
                         std::int32_t light, const Mask& wanted) const {
     const First first = search(rays, distance, wanted);
     const Mask is_light = light_.at(first.line) == Ints(light);
     return is_light | !(first.distance < distance);
-  }
-
-  /// Whether each ray meets anything before `distance`.
-  HWY_INLINE Mask occluded(const Rays& rays, const Floats& distance,
-                           const Mask& wanted) const {
-    if (geometry_.has_tree()) {
-      return occluded_one_by_one(rays, distance, wanted);
-    }
-    Mask occluded = nobody();
-    std::int32_t line = 0;
-    const auto consider = [&](const auto& shapes) HWY_ATTR {
-      for (const auto& shape : shapes) {
-        const Floats t = distances(shape, line, rays);
-        occluded = occluded | ((t > 0.0f) & (t < distance));
-        ++line;
-      }
-    };
-    consider(planes_);
-    consider(spheres_);
-    consider(rectangles_);
-    consider(triangles_);
-    return occluded;
   }
 
   // ## One lane by itself
@@ -210,18 +189,6 @@ class ShapeTable {
       first.line.set(lane, lines_[index(closest.slot)]);
     });
     return first;
-  }
-
-  LIGHTWALK_APART Mask occluded_one_by_one(const Rays& rays,
-                                           const Floats& distance,
-                                           const Mask& wanted) const {
-    unsigned occluded = 0;
-    for_each_lane(wanted, [&](int lane) {
-      if (geometry_.occluded(ray(rays, lane), distance[lane])) {
-        occluded |= 1u << lane;
-      }
-    });
-    return mask_of(occluded);
   }
 
   // ## The hit

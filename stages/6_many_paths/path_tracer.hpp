@@ -393,22 +393,10 @@ HWY_INLINE LightSamples sample_light(const SphereLight& light, const Vec3s& x,
 // NaN is not skipped by that, and `cos_theta > 0` would skip it. So the mask
 // says `!(cos_theta <= 0)`. A lane in shadow is not in `lit`.
 //
-// There are two kinds of shadow rays. A point light has no shape, so nothing
-// may be in the way at all. Any other light is a shape, and the ray may meet
-// that shape itself. `number` is the light's place in the scene's list.
+// `number` is the light's place in the scene's list. A shadow ray may meet
+// the shape of its own light, and nothing else before it.
 
 // #region direct-light
-template <class Form>
-HWY_INLINE Mask reach(const ShapeTable& shapes, const Form&,
-                      std::int32_t number, const Rays& rays,
-                      const Floats& distance, const Mask& asking) {
-  if constexpr (std::is_same_v<Form, PointLight>) {
-    return !shapes.occluded(rays, distance, asking);
-  } else {
-    return shapes.reach(rays, distance, number, asking);
-  }
-}
-
 /// Radiance towards the viewer that all sampled lights cause.
 HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
                               const Mask& asking, Randoms& random) {
@@ -424,8 +412,8 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
     if (!any(faces)) return;
     count_rays(count(faces));
     const Rays shadow_rays = spawn_rays(surface.hit, to_light.direction);
-    const Mask lit = faces & reach(rows.shapes, light, number, shadow_rays,
-                                   to_light.distance, faces);
+    const Mask lit = faces & rows.shapes.reach(shadow_rays, to_light.distance,
+                                               number, faces);
     sum = select(lit, sum + f * cos_theta * to_light.weight, sum);
   };
   for (const Light& light : rows.scene.lights) {
