@@ -85,8 +85,7 @@ def chart(curves):
         shapes.append(curve([at(*point) for point in points], color, 2, dash))
         shapes.append(line(480, y, 510, y, color, 2, dash=dash))
         shapes.append(text(516, y + 4, name, anchor="start", size=13))
-    # On paper, for its colors are for that.
-    return svg(shapes, 640, 420).replace("<defs>", '<rect width="100%" height="100%" fill="#fff"/><defs>')
+    return svg(shapes, 640, 420)
 
 
 def main():

@@ -24,12 +24,12 @@ import sys
 import tempfile
 import time
 import tomllib
-from pathlib import Path
 
 import mitsuba
 import numpy
 
-from compare.stages import BUILD, SCENES, read_pfm, render
+from compare.stages import SCENES, read_pfm, render
+from tools.bench.bar import instruction_sets
 
 BOXES = (
     "cornell_box_point_diffuse",
@@ -142,17 +142,6 @@ class Ours:
             report = render(self.program, self.scene, file.name, "--spp", spp, "--seed", seed)
             *_, pixels = read_pfm(file.name)
         return report["cpu_seconds"], report["seconds"], numpy.mean(pixels, axis=0)
-
-
-def instruction_sets():
-    """Those that this processor has a twin for."""
-    flags = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").exists() else ""
-    found = ["baseline"]
-    if (BUILD / "avx2/stage6").exists() and " avx2 " in flags:
-        found.append("avx2")
-    if (BUILD / "avx512/stage6").exists() and " avx512bw " in flags:
-        found.append("avx512")
-    return found
 
 
 def llvm_runs():
