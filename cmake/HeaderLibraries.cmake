@@ -21,9 +21,3 @@ else()
     find_package(doctest CONFIG REQUIRED)
   endif()
 endif()
-
-# What works on rows of paths needs it; without it, stage 6 is as stage 5.
-find_path(HIGHWAY_FOLDER hwy/highway.h)
-if(NOT HIGHWAY_FOLDER)
-  message(STATUS "Highway is not installed: no rows of paths")
-endif()

@@ -1,11 +1,5 @@
-# Finds what reads and writes EXR, PNG and JPEG: OpenImageIO, or the small
-# libraries tinyexr and stb. With neither, programs write PFM and PPM.
-option(LIGHTWALK_OPENIMAGEIO "Use OpenImageIO where it is installed" ON)
-option(LIGHTWALK_SMALL_IMAGES "Use tinyexr and stb where OpenImageIO is not" ON)
-
-if(LIGHTWALK_OPENIMAGEIO)
-  find_package(OpenImageIO CONFIG QUIET)
-endif()
+# What reads and writes EXR, PNG and JPEG: OpenImageIO, or the small libraries
+# tinyexr and stb. With neither, programs write PFM and PPM.
 if(TARGET OpenImageIO::OpenImageIO)
   # Debian's package names an OpenCV include folder that only exists when
   # OpenCV's headers are installed, which nothing here needs.
@@ -23,12 +17,6 @@ if(TARGET OpenImageIO::OpenImageIO)
 endif()
 
 # Headers, which a file of ours compiles; tinyexr wants zlib, or stb's.
-if(LIGHTWALK_SMALL_IMAGES)
-  find_package(ZLIB QUIET)
-  find_path(TINYEXR_FOLDER tinyexr.h HINTS ${LIGHTWALK_HEADER_FOLDER})
-  find_path(STB_FOLDER stb_image_write.h PATH_SUFFIXES stb
-            HINTS ${LIGHTWALK_HEADER_FOLDER})
-endif()
 if(TINYEXR_FOLDER AND STB_FOLDER)
   add_library(small_image_libraries INTERFACE)
   target_include_directories(small_image_libraries SYSTEM

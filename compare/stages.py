@@ -54,6 +54,13 @@ def test_names(folder):
     return names
 
 
+def left_out(where):
+    """What the build lacks there, a line each: cmake/Optional.cmake."""
+    path = BUILD / "left_out.txt"
+    lines = path.read_text().splitlines() if path.exists() else []
+    return [line.removeprefix(f"{where}: ") for line in lines if line.startswith(f"{where}: ")]
+
+
 def built_stages():
     """The names of the programs that there are, the newest last."""
     return sorted(path.name for path in BUILD.glob("stage[1-9]"))

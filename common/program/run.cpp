@@ -10,7 +10,6 @@
 
 #include "common/program/console.hpp"
 #include "common/program/cost_warning.hpp"
-#include "common/program/instruction_sets.hpp"
 #include "common/program/memory.hpp"
 #include "common/program/options.hpp"
 #include "common/program/output_files.hpp"
@@ -236,7 +235,6 @@ int run_scene(const Program& program, const Tracing& tracing,
 
 int run(int argc, char** argv, const Program& program,
         const Tracing& tracing) {
-  run_variant_for_this_processor(argv);
   prepare_console();
   Options options;
   const CommandLine expected{.program = program.name,

@@ -3,15 +3,14 @@
 // # Are there registers for rows?
 //
 // Highway knows the registers of each processor. One set of instructions is
-// chosen when a program is compiled: the twins of a program differ in it (see
-// program/instruction_sets.hpp). LIGHTWALK_ROWS says that registers hold four
-// floats or more, with what rows need. It is not there for a program that any
-// x86-64 can run, nor where Highway is not installed.
+// chosen when a program is compiled. LIGHTWALK_HIGHWAY says that the library
+// is there; LIGHTWALK_ROWS that registers hold four floats or more besides,
+// with what rows need. A program that any x86-64 can run has no rows.
 
 // On ARM it wants the instructions for ciphers, too (armv8-a+crypto).
 
-#if __has_include(<hwy/highway.h>) && \
-    (defined(__SSSE3__) ||            \
+#if defined(LIGHTWALK_HIGHWAY) && \
+    (defined(__SSSE3__) ||        \
      (defined(__ARM_NEON) && defined(__ARM_FEATURE_AES)))
 #define LIGHTWALK_ROWS
 // Its headers alone: the checks of a debug build are in its library.

@@ -1,4 +1,4 @@
-#include "common/program/instruction_sets.hpp"
+#include "common/program/instruction_set.hpp"
 #include "common/program/run.hpp"
 #include "stages/5_fresnel_textures/path_tracer.hpp"
 #include "stages/6_many_paths/path_tracer.hpp"

@@ -658,10 +658,9 @@ inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
 //     cmp many.pfm one.pfm
 //
 // If the last line prints nothing, the two files are the same.
-// `LIGHTWALK_INSTRUCTIONS=avx2` before a command skips AVX-512, and
-// `LIGHTWALK_INSTRUCTIONS=baseline` skips both. The baseline is what every
-// x86-64 has: registers of four numbers, without some instructions that rows
-// need. There stage 6 is the same as stage 5, and `--version` says so.
+// A build with `-DLIGHTWALK_NATIVE=OFF` uses what every x86-64 has: registers
+// of four numbers, without some instructions that rows need. There stage 6 is
+// the same as stage 5, and `--version` says so.
 //
 // ![](lab-many)
 //

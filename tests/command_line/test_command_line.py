@@ -180,13 +180,6 @@ class Renders(Programs):
             self.assertEqual(self.bytes_of(pfm), self.bytes_of("1.pfm"), why)
             self.assertEqual(self.bytes_of(exr), self.bytes_of("1.exr"), why)
 
-    def test_no_instruction_set_changes_a_bit(self):
-        self.render("-o", "fast.pfm", *self.small)
-        environment = {**os.environ, "LIGHTWALK_INSTRUCTIONS": "baseline"}
-        result = self.run_here(BOX, "-o", "baseline.pfm", *self.small, env=environment)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(self.bytes_of("fast.pfm"), self.bytes_of("baseline.pfm"))
-
     def test_two_renders_are_equal_files_in_every_format(self):
         for name in ["a", "b"]:
             outputs = []

@@ -24,12 +24,13 @@ import sys
 import tempfile
 import time
 import tomllib
+from pathlib import Path
 
 import mitsuba
 import numpy
 
-from compare.stages import SCENES, read_pfm, render
-from tools.bench.bar import instruction_sets
+from compare.stages import BUILD, SCENES, read_pfm, render
+from tools.bench.bar import registers
 
 BOXES = (
     "cornell_box_point_diffuse",
@@ -132,12 +133,11 @@ class Peer:
 
 
 class Ours:
-    def __init__(self, program, instructions, scene):
-        self.name = f"{program}, {instructions}"
-        self.program, self.instructions, self.scene = program, instructions, scene
+    def __init__(self, program, folder, scene):
+        self.name = f"{program}, {registers(folder) or 'baseline'}"
+        self.program, self.scene = folder / program, scene
 
     def render(self, spp, seed):
-        os.environ["LIGHTWALK_INSTRUCTIONS"] = self.instructions
         with tempfile.NamedTemporaryFile(suffix=".pfm") as file:
             report = render(self.program, self.scene, file.name, "--spp", spp, "--seed", seed)
             *_, pixels = read_pfm(file.name)
@@ -162,21 +162,22 @@ def main():
     parser.add_argument("--repetitions", default=7, type=int)
     parser.add_argument("--spp", default=64, type=int)
     parser.add_argument("--scalar", action="store_true", help="Mitsuba's scalar variant, too: slow")
+    parser.add_argument(
+        "--also", action="append", default=[], type=Path, help="a build for other registers", metavar="FOLDER"
+    )
     options = parser.parse_args()
     variants = ["llvm_ad_rgb"] if llvm_runs() else []
     if not variants:
         print("llvm_ad_rgb does not run here: see DRJIT_LIBLLVM_PATH")
     if options.scalar or not variants:
         variants.append("scalar_rgb")
-    sets = instruction_sets()
     print("| box | program | CPU s | Mitsuba takes | clock s | Mitsuba takes |")
     print("|---|---|---|---|---|---|")
     for name in BOXES:
         path = SCENES / f"{name}.toml"
         toml = tomllib.loads(path.read_text())
         programs = [Peer(variant, toml) for variant in variants]
-        programs.append(Ours("stage5", sets[min(1, len(sets) - 1)], path))
-        programs += [Ours("stage6", one, path) for one in sets[1:]]
+        programs += [Ours(f"stage{n}", folder, path) for n in (5, 6) for folder in [*options.also, BUILD]]
         runs = [[] for _ in programs]
         for seed in range(options.repetitions):
             for program, done in zip(programs, runs):

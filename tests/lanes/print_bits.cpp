@@ -1,5 +1,6 @@
-// Prints a checksum of the bits of many hits. It is compiled for several
-// instruction sets, and all must print the same.
+// Prints checksums of the bits of many hits, and of the last two stages'
+// pictures. It is compiled for several instruction sets, and all must print the
+// same.
 
 #include <cstdint>
 #include <cstdio>
@@ -7,7 +8,9 @@
 
 #include "common/geometry/geometry.hpp"
 #include "common/math/random.hpp"
+#include "common/render/paint.hpp"
 #include "common/scene/material.hpp"
+#include "stages/6_many_paths/path_tracer.hpp"
 
 namespace {
 
@@ -69,9 +72,49 @@ void print_hits(int count) {
               static_cast<unsigned long long>(checksum.value));
 }
 
+/// All kinds of shapes, lobes and lights.
+void add_box(Scene& scene) {
+  const Material* white = scene.add(Material{.kd = Vec3(0.8f)});
+  const Material* red = scene.add(Material{.kd = {0.8f, 0.2f, 0.2f}});
+  const Material* plastic =
+      scene.add(Material{.kd = {0.2f, 0.2f, 0.6f}, .ks = Vec3(0.3f)});
+  const Material* glass =
+      scene.add(Material{.ks = Vec3(0.1f), .kt = Vec3(0.9f)});
+  const Material* crystal = scene.add(
+      Material{.ks = Vec3(1), .kt = Vec3(1), .fresnel = true});
+  const Material* lamp = scene.add(Material{.ke = {10, 9, 8}});
+  scene.camera.width = scene.camera.height = 48;
+  scene.add(Plane{{1, 0, 0}, 1, red});
+  scene.add(Plane{{-1, 0, 0}, 1, white});
+  scene.add(Plane{{0, 1, 0}, 1, white});
+  scene.add(Plane{{0, -1, 0}, 1, white});
+  scene.add(Plane{{0, 0, -1}, 1, white});
+  scene.add(Sphere{{-0.5f, -0.7f, 0.25f}, 0.3f, plastic});
+  scene.add(Sphere{{0.5f, -0.7f, -0.25f}, 0.3f, glass});
+  scene.add(Sphere{{0, 0.1f, 0.3f}, 0.2f, crystal});
+  scene.add(Triangle{{-1, -0.5f, 1}, {2, 0, 0}, {0, 1, 0}, plastic});
+  scene.add(Rectangle{{-0.3f, 0.95f, -0.1f}, {0.6f, 0, 0}, {0, 0, 0.6f}, lamp});
+  scene.add(PointLight{{0.3f, 0.5f, 0}, Vec3(0.2f)});
+  scene.geometry.prepare();
+}
+
+template <class PathTracer>
+void print_picture(int stage) {
+  Scene scene;
+  add_box(scene);
+  const RenderResult picture =
+      paint<PathTracer>(scene, {.samples_per_pixel = 8});
+  Checksum checksum;
+  for (const Vec3& pixel : picture.radiance.pixels) checksum.add(pixel);
+  std::printf("stage %d: %016llx\n", stage,
+              static_cast<unsigned long long>(checksum.value));
+}
+
 }  // namespace
 
 int main() {
   print_hits(5);
   print_hits(2000);
+  print_picture<stage5::PathTracer>(5);
+  print_picture<stage6::PathTracer>(6);
 }

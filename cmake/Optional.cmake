@@ -1,0 +1,103 @@
+# What may be missing is looked for here, and nowhere else. What was found is
+# handed on as a definition or a variable; __has_include would leave no trace
+# in the build, and a library that is installed later would not be noticed.
+#
+# build/left_out.txt lists what is left out of this build, a line each:
+#
+#   WHERE: WHAT (REASON; COMMAND that gets it)
+#
+# WHERE is programs, tests, book, single-header or test-windows. Nothing is
+# listed that was switched off: -DLIGHTWALK_HIGHWAY=OFF is a wish.
+option(LIGHTWALK_HIGHWAY "Follow many paths at once where Highway is installed" ON)
+option(LIGHTWALK_OPENIMAGEIO "Use OpenImageIO where it is installed" ON)
+option(LIGHTWALK_SMALL_IMAGES "Use tinyexr and stb where OpenImageIO is not" ON)
+
+# watch(PATTERN...): a build runs CMake again when such a file comes or goes.
+function(watch)
+  file(GLOB seen CONFIGURE_DEPENDS ${ARGN})
+endfunction()
+
+set(left_out)
+# leave_out(WHERE WHAT REASON [PURPOSE]): PURPOSE is an argument of setup.sh.
+macro(leave_out where what reason)
+  string(STRIP "tools/setup.sh ${ARGN}" command)
+  list(APPEND left_out "${where}: ${what} (${reason}; ${command})")
+endmacro()
+
+# find_headers(VARIABLE NAME [SUFFIX]): the folder that has the header NAME.
+# It is looked for again in each run of CMake, and each build watches for it.
+macro(find_headers variable name)
+  set(places ${CMAKE_PREFIX_PATH} ${CMAKE_SYSTEM_PREFIX_PATH})
+  list(TRANSFORM places APPEND "/include/${ARGN}")
+  list(TRANSFORM places APPEND "/${name}")
+  watch(${places})
+  if(${variable} AND NOT EXISTS "${${variable}}/${name}")
+    unset(${variable} CACHE)
+  endif()
+  find_path(${variable} ${name} PATH_SUFFIXES ${ARGN}
+            HINTS ${LIGHTWALK_HEADER_FOLDER})
+endmacro()
+
+# find_command(VARIABLE NAMES...): the same for a program.
+macro(find_command variable)
+  file(TO_CMAKE_PATH "$ENV{PATH}" places)
+  set(commands)
+  foreach(place IN LISTS places)
+    foreach(name ${ARGN})
+      list(APPEND commands "${place}/${name}")
+    endforeach()
+  endforeach()
+  watch(${commands})
+  if(${variable} AND NOT EXISTS "${${variable}}")
+    unset(${variable} CACHE)
+  endif()
+  find_program(${variable} NAMES ${ARGN})
+endmacro()
+
+# Highway: rows of paths for stage 6.
+if(LIGHTWALK_HIGHWAY)
+  find_headers(HIGHWAY_FOLDER hwy/highway.h)
+endif()
+if(LIGHTWALK_HIGHWAY AND HIGHWAY_FOLDER)
+  target_include_directories(lightwalk SYSTEM INTERFACE ${HIGHWAY_FOLDER})
+  target_compile_definitions(lightwalk INTERFACE LIGHTWALK_HIGHWAY)
+endif()
+if(LIGHTWALK_HIGHWAY AND LIGHTWALK_NATIVE AND instruction_sets AND NOT HIGHWAY_FOLDER)
+  leave_out(programs "stage 6 follows one path at a time" "Highway is missing")
+endif()
+
+# Images: OpenImageIO, or small libraries; ImageLibraries.cmake builds on this.
+if(LIGHTWALK_OPENIMAGEIO)
+  set(places ${CMAKE_PREFIX_PATH} ${CMAKE_SYSTEM_PREFIX_PATH})
+  list(TRANSFORM places APPEND "/include/OpenImageIO/imageio.h")
+  watch(${places})
+  # Debian's package of Imath warns of a file that it does not ship.
+  set(CMAKE_MESSAGE_LOG_LEVEL ERROR)
+  find_package(OpenImageIO CONFIG QUIET)
+  unset(CMAKE_MESSAGE_LOG_LEVEL)
+endif()
+if(LIGHTWALK_SMALL_IMAGES)
+  find_package(ZLIB QUIET)
+  find_headers(TINYEXR_FOLDER tinyexr.h)
+  find_headers(STB_FOLDER stb_image_write.h stb)
+endif()
+if(NOT TARGET OpenImageIO::OpenImageIO AND NOT (TINYEXR_FOLDER AND STB_FOLDER)
+   AND (LIGHTWALK_OPENIMAGEIO OR LIGHTWALK_SMALL_IMAGES))
+  leave_out(programs "EXR, PNG and JPEG" "OpenImageIO is missing")
+elseif(LIGHTWALK_OPENIMAGEIO AND LIGHTWALK_SMALL_IMAGES
+       AND NOT (TARGET OpenImageIO::OpenImageIO AND TINYEXR_FOLDER AND STB_FOLDER))
+  leave_out(tests "the comparison of the image libraries"
+            "OpenImageIO, tinyexr or stb is missing")
+endif()
+
+# Google Benchmark: `make bench`.
+find_package(benchmark CONFIG QUIET)
+if(LIGHTWALK_TESTS AND NOT benchmark_FOUND)
+  leave_out(tests "the benchmarks" "Google Benchmark is missing")
+endif()
+
+# What the tools use; a student's tree has none of them.
+include(${CMAKE_SOURCE_DIR}/tools/Optional.cmake OPTIONAL)
+
+list(JOIN left_out "\n" text)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/left_out.txt CONTENT "${text}\n")
