@@ -8,7 +8,7 @@ ORDERS ?= 2
 SECONDS ?= 60
 FUZZ_SECONDS := $(value SECONDS)# a shell may count its own SECONDS
 typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS FUZZ_SECONDS \
-  STAGE OUT INTO SOLUTIONS ORDERS
+  STAGE OUT INTO SOLUTIONS ORDERS FRESH
 $(foreach name,$(typed),$(eval override $(name) := $$(value $(name))))
 export $(typed)
 
@@ -37,7 +37,7 @@ scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers measured mistakes goldens \
   signatures mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
-  format clean check watch hint handout handouts setup-handout single-header \
+  format clean check watch hint handout handouts test-fresh setup-handout single-header \
   test-single-header test-windows $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
@@ -50,38 +50,51 @@ picture: build
 	@mkdir -p $(BUILD)/pictures
 	@$(BUILD)/$(newest) $(scene) -o $(BUILD)/pictures/cornell_box.png
 	@echo "The picture is $(CURDIR)/$(BUILD)/pictures/cornell_box.png"
+	@sed -n 's/^programs: /Left out: /p' $(BUILD)/left_out.txt
 
+define help_text
+For the course
+  make               render the lab's box with $(newest), the newest stage
+  make $(firstword $(stages))        build one stage ($(stages))
+  make test-$(firstword $(stages))   run the tests of one stage
+  make check         exercise by exercise, the first open one explained (STAGE=2)
+  make watch         the same at every save
+  make hint          a hint for the exercise that make check explains
+  make single-header each stage in one file: $(BUILD)/single/stageN.hpp
+
+To teach
+  make handout STAGE=3 OUT=folder    what students get: stage 3 open, nothing later
+                     (SOLUTIONS=none opens the stages before, too)
+  make handout STAGE=4 INTO=folder   the next stage, into a student's folder
+  make handouts      prove all handouts, from open to solved
+  make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml
+                     render and compare two stages, images or programs
+  make book          weave the book: $(BUILD)/book/index.html
+  make slides        set the slides: $(BUILD)/slides/index.html
+
+To work on it
+  make test          run every test of what renders
+  make test-site     test the book and the slides, in a browser too
+  make test-single-header, make test-windows, make test-fresh
+                     by other compilers, under wine, on new Debians
+  make mistakes      put known mistakes into the stages: what do the tests catch?
+  make mutants       make every small change to the stages: what do the tests notice?
+  make null-test     how often do the goldens reject a right program?
+  make fuzz          feed the readers with what nobody would write (SECONDS=60)
+  make goldens, make signatures      remake what renders are compared with
+  make bench         measure what everything costs (BASE=old.json compares)
+  make bench-peers   time stages 5 and 6 and Mitsuba 3 side by side
+  make measured      keep what was measured, for the book
+  make format        format the code (CHECK=1 only says where)
+  make setup         install what is missing (SETUP=print only says what)
+  make clean         delete $(BUILD)/
+
+BUILD=folder builds elsewhere, CMAKE_ARGS="-DCMAKE_CXX_COMPILER=clang++" tells
+CMake more, JOBS=1 compiles one file at a time.
+endef
+export help_text
 help:
-	@echo "make               render the lab's box with $(newest), the newest stage"
-	@echo "make test          run every test"
-	@echo "make $(firstword $(stages))        build one stage alone ($(stages))"
-	@echo "make test-$(firstword $(stages))   run the tests of one stage"
-	@echo "make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml"
-	@echo "                   render and compare two stages, images or programs"
-	@echo "make check         what a student sees: exercise by exercise (STAGE=2)"
-	@echo "make handout STAGE=3 OUT=folder"
-	@echo "                   what students get: stage 3 open, nothing later (SOLUTIONS=none)"
-	@echo "make handout STAGE=4 INTO=folder"
-	@echo "                   the next stage, into a folder that a student works in"
-	@echo "make handouts      prove all handouts, from open to solved"
-	@echo "make single-header write each stage as one header: $(BUILD)/single/stageN.hpp"
-	@echo "make goldens       remake the golden images of the tests"
-	@echo "make signatures    remake what failing goldens are compared with"
-	@echo "make null-test     how often do the goldens reject a right program?"
-	@echo "make mistakes      put known mistakes into the stages: what do the tests catch?"
-	@echo "make mutants       make every small change to the stages: what do the tests notice?"
-	@echo "make fuzz          feed the readers with what nobody would write (SECONDS=60)"
-	@echo "make test-windows  compile for Windows and run there, by mingw-w64 and wine"
-	@echo "make bench         measure what everything costs (BASE=old.json compares)"
-	@echo "make bench-peers   time stages 5 and 6 and Mitsuba 3 side by side"
-	@echo "make measured      keep what was measured, for the book"
-	@echo "make book          weave the book: $(BUILD)/book/index.html"
-	@echo "make slides        set the slides: $(BUILD)/slides/index.html"
-	@echo "make test-site     test the book and the slides, in a browser too"
-	@echo "make format        set code in the house's style (CHECK=1 only tells)"
-	@echo "make setup         install what is missing (SETUP=print only says what)"
-	@echo "make clean         delete $(BUILD)/"
-	@echo "make help          this list"
+	@echo "$$help_text"
 
 # Costs milliseconds where nothing is missing.
 setup:
@@ -94,20 +107,26 @@ $(BUILD)/CMakeCache.txt: | setup
 	  || { cat $(BUILD).log; rm -f $@ $(BUILD).log; exit 1; }
 	@rm -f $(BUILD).log
 
+# $(compile) TARGETS, and nothing said where there is nothing to do.
+compile = tools/compile.sh $(BUILD) -j $(JOBS) --target
+
 build: setup $(BUILD)/CMakeCache.txt
-	@cmake --build $(BUILD) -j $(JOBS) --target $(stages)
+	@$(compile) $(stages)
 
 $(stages): setup $(BUILD)/CMakeCache.txt
-	@cmake --build $(BUILD) -j $(JOBS) --target $@
+	@$(compile) $@
+
+stage%:
+	@echo "make: there is no $@; there are $(stages)" >&2; exit 2
 
 test: setup $(BUILD)/CMakeCache.txt
-	@cmake --build $(BUILD) -j $(JOBS)
-	@ctest --test-dir $(BUILD) --no-tests=error --output-on-failure -j $(JOBS)
+	@$(compile) all
+	@python3 -m tests.run -j $(JOBS)
 
 # The header by itself first: what the compiler says about it comes once.
 $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
-	@cmake --build $(BUILD) -j $(JOBS) --target $*_header
-	@cmake --build $(BUILD) -j $(JOBS) --target $*_tests
+	@$(compile) $*_header
+	@$(compile) $*_tests
 	@cd $(BUILD) && ./run_suite ./$*_tests
 
 # The exercises of a stage, in the chapter's order, and the first that is not
@@ -131,7 +150,7 @@ setup-handout: setup
 # make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml OPTIONS="--spp 64": A and
 # B may be stages, images, or programs. Exit code 1 where they differ.
 diff: build
-	@cmake --build $(BUILD) -j $(JOBS) --target stage-diff
+	@$(compile) stage-diff
 	@BUILD=$(BUILD) compare/diff.sh
 
 # Each stage with its core in one header that needs GLM alone.
@@ -146,18 +165,18 @@ test-single-header: build
 
 # Remakes the images that the stages are held to: minutes.
 goldens: build
-	@cmake --build $(BUILD) -j $(JOBS) --target make_parts
+	@$(compile) make_parts
 	@python3 -m tests.golden.make_goldens
 
 # How often the goldens reject a right program: minutes.
 null-test: build
-	@cmake --build $(BUILD) -j $(JOBS) --target null_test
+	@$(compile) null_test
 	@$(BUILD)/null_test "$$SEEDS"
 
 # Takes minutes at first; later runs repeat only what has changed. MISTAKES
 # names a few of them, or gives the program's options: MISTAKES="--stage 2".
 mistakes: setup $(BUILD)/CMakeCache.txt
-	@cmake --build $(BUILD) -j $(JOBS)
+	@$(compile) all
 	@set -f; python3 -m tests.mistakes.mistakes -j $(JOBS) $$MISTAKES
 
 # Feeds readers, geometry and comparison with what nobody would write, for
@@ -187,7 +206,7 @@ fuzz: setup-fuzz $(BUILD)/fuzz/CMakeCache.txt
 windows_compiler = $(shell command -v x86_64-w64-mingw32-g++-posix)
 windows_suites = core_tests $(addsuffix _tests,$(stages))
 test-windows: build
-	@cmake --build $(BUILD) -j $(JOBS) --target stage-diff
+	@$(compile) stage-diff
 	@$(if $(windows_compiler),cmake -S . -B $(BUILD)/windows \
 	  $(if $(shell command -v ninja),-G Ninja) -DCMAKE_BUILD_TYPE=Release \
 	  -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/cmake/mingw-w64.cmake > $(BUILD)/windows.log \
@@ -195,23 +214,29 @@ test-windows: build
 	  $(windows_suites))
 	@PYTHONPATH=. python3 tests/windows/test_windows.py
 
+# The README's commands on new Debians, by debootstrap: an hour, as root. FRESH
+# names releases: FRESH=trixie.
+test-fresh:
+	@tools/setup.sh fresh
+	@set -f; python3 -m tests.fresh $$FRESH
+
 # Half an hour at first; later runs are faster. MUTANTS gives the program's
 # options: MUTANTS="--stage 2".
 mutants: setup $(BUILD)/CMakeCache.txt $(BUILD)/mutants-venv/made
-	@cmake --build $(BUILD) -j $(JOBS) --target test_support test_main image_module
+	@$(compile) test_support test_main image_module
 	@set -f; $(BUILD)/mutants-venv/bin/python -m tests.mutants.mutants -j $(JOBS) $$MUTANTS
 
 # What the known mistakes look like, so that a failing golden can be told which
 # of them it resembles: minutes.
 signatures: setup $(BUILD)/CMakeCache.txt
-	@cmake --build $(BUILD) -j $(JOBS)
+	@$(compile) all
 	@python3 -m tests.mistakes.signatures -j $(JOBS)
 
 # Repetitions, since times scatter: BASE names an earlier bench.json, which
 # Google Benchmark's own compare.py sets beside this one.
 BENCH_ARGS ?= --benchmark_repetitions=5 --benchmark_min_time=0.05
 bench: build
-	@cmake --build $(BUILD) -j $(JOBS) --target benchmarks
+	@$(compile) benchmarks
 	@$(BUILD)/benchmarks $(BENCH_ARGS) --benchmark_out_format=json \
 	  --benchmark_out=$(BUILD)/bench.json \
 	  --benchmark_display_aggregates_only=true
@@ -241,10 +266,12 @@ bench-compare: setup-bench $(BUILD)/bench-venv/made
 	  Google Benchmark came without its compare.py)) --no-color \
 	  -a benchmarks "$$BASE" $(BUILD)/bench.json
 
-# Mitsuba 3 side by side with stages 5 and 6. LLVM is the system's, version 16
-# or newer: `apt-get install libllvm16` on Debian 12.
+# Mitsuba 3 side by side with stages 5 and 6; ALSO names another build folder,
+# for other registers:
+#   make BUILD=build-avx2 CMAKE_ARGS="-DLIGHTWALK_NATIVE=OFF \
+#     -DCMAKE_CXX_FLAGS='-march=x86-64-v3 -maes -mpclmul'"
 bench-peers: build $(BUILD)/bench-venv/made
-	@$(BUILD)/bench-venv/bin/python -m tools.bench.peers | tee $(BUILD)/peers.md
+	@$(BUILD)/bench-venv/bin/python -m tools.bench.peers $(addprefix --also ,$(ALSO)) | tee $(BUILD)/peers.md
 
 # What `make bench` and `make bench-peers` have measured, with the machine and
 # the date, into the folder that the book and the README quote.

@@ -27,7 +27,7 @@ $(BUILD)/node/made: tools/package.json | setup-site
 
 # Figures show what the stages paint, and what comparing two of them says.
 site-programs: build
-	@cmake --build $(BUILD) -j $(JOBS) --target stage-diff
+	@$(compile) stage-diff
 
 book: site-programs $(BUILD)/venv/made $(BUILD)/node/made
 	@$(site_python) -m tools.book.build

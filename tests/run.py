@@ -1,0 +1,30 @@
+"""Runs every test of what renders, as CTest knows them: `make test`.
+
+    python3 -m tests.run [OPTION OF CTEST...]
+"""
+
+import subprocess
+import sys
+
+from compare.stages import BUILD
+from tests.tally import Tally
+
+
+def main():
+    junit = BUILD / "tests.xml"
+    junit.unlink(missing_ok=True)
+    done = subprocess.run(
+        ["ctest", "--test-dir", BUILD, "--no-tests=error", "--output-on-failure", "--output-junit", junit]
+        # All that a test says is counted, also where it passes.
+        + ["--test-output-size-passed", "1000000", "--test-output-size-failed", "1000000"]
+        + sys.argv[1:],
+    )
+    if not junit.exists():
+        return done.returncode or 1
+    tally = Tally()
+    tally.add_junit(junit)
+    return tally.close("programs", "tests") or done.returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,89 @@
+"""Counts tests that passed, failed and were skipped, and why they were skipped.
+
+Prints the last lines of `make test` and `make test-site`:
+
+    skipped: NAME: REASON
+    N passed, N failed, N skipped
+
+Where CI=true, a test that was skipped and a part that is left out of the build
+(build/left_out.txt) are failures: what is not tested there is tested nowhere.
+"""
+
+import os
+import re
+from xml.etree import ElementTree
+
+from compare.stages import left_out
+
+
+class Tally:
+    def __init__(self):
+        self.passed = self.failed = 0
+        self.skipped = []  # "NAME: REASON"
+
+    def add_text(self, text):
+        """What a runner has printed: tests.runner, tests.scripts, or node's. Returns
+        whether it says how many tests there were."""
+        known = False
+        for line in text.splitlines():
+            if found := re.fullmatch(r"(\d+) passed, (\d+) failed, \d+ skipped", line):
+                passed, failed = map(int, found.groups())
+            elif found := re.fullmatch(r"(\d+) tests? pass(es)?", line):
+                passed, failed = int(found[1]), 0
+            elif found := re.match(r"(\d+) of (\d+) tests? fails?\b", line):
+                passed, failed = int(found[2]) - int(found[1]), int(found[1])
+            else:
+                if line.startswith("skipped: "):
+                    self.skipped.append(line.removeprefix("skipped: "))
+                continue
+            known = True
+            self.passed += passed
+            self.failed += failed
+        return known
+
+    def add_junit(self, path):
+        """What ctest has written: each of its entries is a program with tests of its own."""
+        for entry in ElementTree.parse(path).getroot().iter("testcase"):
+            text = "".join(entry.itertext())
+            failures = self.failed
+            known = self.add_text(text)
+            if entry.get("status") == "run":
+                self.passed += not known
+            elif entry.get("status") == "fail":
+                # It may have broken off before it counted.
+                self.failed += self.failed == failures
+            elif not known:
+                reason = entry.find("skipped")
+                reason = "it did not run" if reason is None else reason.get("message", "")
+                if found := re.search(r"^skipped: (.*)", text, re.MULTILINE):
+                    reason = found[1]
+                else:
+                    self.skipped.append(f"{entry.get('name')}: {reason}")
+
+    def add_tap(self, text):
+        """What node has printed with --test-reporter=tap."""
+        for line in text.splitlines():
+            if found := re.match(r"\s*(not )?ok \d+ - (.*?)(?: # SKIP ?(.*))?$", line):
+                bad, name, reason = found.groups()
+                if name.endswith(".cjs"):
+                    continue  # a file, whose tests are counted
+                if reason is not None:
+                    self.skipped.append(f"{name}: {reason}")
+                elif bad:
+                    self.failed += 1
+                else:
+                    self.passed += 1
+
+    def close(self, *where):
+        """Prints the last lines; returns the exit code. `where` are the parts of
+        left_out.txt that these tests are about."""
+        missing = [f"not tested: {line}" for place in where for line in left_out(place)]
+        lines = [f"skipped: {line}" for line in self.skipped] + missing
+        if lines:
+            print()
+        print(*lines, sep="\n")
+        strict = os.environ.get("CI") == "true" and lines
+        if strict:
+            print("These are failures where CI=true.")
+        print(f"{self.passed} passed, {self.failed} failed, {len(self.skipped)} skipped", flush=True)
+        return 1 if self.failed or strict or not self.passed else 0

@@ -1,0 +1,9 @@
+#!/bin/sh
+# compile.sh FOLDER OPTIONS: cmake --build, without the lines that only say
+# that there was nothing to do.
+{
+  status=$({ { cmake --build "$@" 3>&- 4>&-; echo $? >&3; } |
+    sed -e '/Re-checking globbed directories/d' -e '/^ninja: no work to do/d' \
+      >&4; } 3>&1)
+} 4>&1
+exit "$status"
