@@ -22,7 +22,7 @@ endforeach()
 
 # doctest's own code and ours that reads scenes and images, compiled once.
 file(GLOB support CONFIGURE_DEPENDS support/*.cpp)
-list(FILTER support EXCLUDE REGEX "/(main|run_suite)\\.cpp$")
+list(FILTER support EXCLUDE REGEX "/main\\.cpp$")
 # add_test_support(SUFFIX OPTIONS...): test_support and test_main, with options
 # that what is linked to them needs, too.
 function(add_test_support suffix)
@@ -48,22 +48,10 @@ function(add_test_support suffix)
 endfunction()
 add_test_support("")
 
-# Runs a suite, tells how it ended, and stops a test that does not end.
-if(UNIX)
-  add_executable(run_suite support/run_suite.cpp)
-  target_include_directories(run_suite PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  target_compile_features(run_suite PRIVATE cxx_std_20)
-  # Ten times as long for what is ten times as slow.
-  if(LIGHTWALK_SANITIZE)
-    set(most_seconds 200)
-  else()
-    set(most_seconds $<IF:$<CONFIG:Debug>,200,20>)
-  endif()
-  target_compile_definitions(run_suite PRIVATE MOST_SECONDS=${most_seconds})
-  set(run_suite $<TARGET_FILE:run_suite>)
-else()
-  set(run_suite)
-endif()
+# Runs a suite, says how it ended, and stops a test that does not end. It is the
+# only one to stop it: by the clock, a busy machine is as slow as an endless loop.
+find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
+set(run_suite ${Python3_EXECUTABLE} -B -m tests.runner)
 
 # GCC 12's search for leaks crashes over the thread's variables of libraries
 # that were loaded late, which it learns of by this interceptor.
@@ -85,12 +73,9 @@ function(add_suite name)
   set_target_properties(${name}_tests PROPERTIES BUILD_RPATH_USE_ORIGIN ON
                                                  BUILD_RPATH "${program_folder}")
   add_dependencies(${name}_tests image_module)
-  if(UNIX)
-    add_dependencies(${name}_tests run_suite)
-  endif()
   add_test(NAME ${name} COMMAND ${run_suite} $<TARGET_FILE:${name}_tests>
-                                -r=brief WORKING_DIRECTORY ${CMAKE_BINARY_DIR})
-  set_tests_properties(${name} PROPERTIES LABELS ${name} ENVIRONMENT
+           WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  set_tests_properties(${name} PROPERTIES LABELS ${name} TIMEOUT 0 ENVIRONMENT
                                           "${leak_options}")
 endfunction()
 
@@ -132,9 +117,6 @@ function(add_one_file_suite name)
   set_target_properties(${name}_check PROPERTIES BUILD_RPATH_USE_ORIGIN ON
                                                  BUILD_RPATH "${program_folder}")
   add_dependencies(${name}_check image_module)
-  if(UNIX)
-    add_dependencies(${name}_check run_suite)
-  endif()
 endfunction()
 
 # What works on rows of paths is tested with the widest rows that there are

@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "support/expectations.hpp"
-#include "support/report.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;

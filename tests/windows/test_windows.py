@@ -136,7 +136,7 @@ class Windows(unittest.TestCase):
     def test_the_suites_pass(self):
         for suite in SUITES:
             with self.subTest(suite=suite):
-                done = self.run_windows(f"{suite}_tests", "-r=brief")
+                done = self.run_windows(f"{suite}_tests")
                 print(f"{suite}: {done.stdout.strip().splitlines()[-1:]}")
                 self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 

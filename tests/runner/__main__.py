@@ -1,0 +1,44 @@
+"""Runs a suite and prints its report.
+
+    python3 -m tests.runner PROGRAM [OPTION...]
+
+The options are doctest's: -tc="a floor*" runs the tests of such names.
+"""
+
+import argparse
+import signal
+import sys
+
+from tests.runner import report, suite, watch
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        prog="tests.runner", description=__doc__.splitlines()[0], allow_abbrev=False
+    )
+    parser.add_argument("--seconds", type=float, help="of processor time, for each test")
+    parser.add_argument("--idle-seconds", type=float, default=watch.IDLE_SECONDS, help="without any motion")
+    parser.add_argument("program")
+    chosen, options = parser.parse_known_args()
+    for name in ("SIGTERM", "SIGHUP"):
+        if hasattr(signal, name):
+            # Leaves as at an error, so that the suite is ended.
+            signal.signal(getattr(signal, name), lambda number, _: sys.exit(128 + number))
+    outcome = suite.run_by_kinds(
+        chosen.program,
+        *options,
+        seconds=chosen.seconds,
+        idle_seconds=chosen.idle_seconds,
+        echo=True,
+    )
+    print(report.summary(outcome), end="")
+    return 0 if outcome.passed else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)
+    except OSError as error:
+        sys.exit(f"tests.runner: {error.filename}: {error.strerror}")

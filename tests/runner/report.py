@@ -1,0 +1,105 @@
+"""What a student reads when tests fail: at most a screenful, and the most
+telling first. A test of one function says more than a scene with an exact
+answer, and that says more than two pictures that differ."""
+
+import re
+
+# Kinds of tests, the sharpest first. Each is a test suite of doctest's.
+KINDS = ("units", "analytic scenes", "relations", "golden images")
+SCENES = 1
+
+FIRST_LINES, GOLDEN_LINES, OTHER_LINES = 9, 8, 3
+MAX_LINES, MIN_NAMED = 24, 3
+WIDTH = 78
+
+
+def kind_of(test):
+    """The place in KINDS; tests in no suite are scenes."""
+    return KINDS.index(test.suite) if test.suite in KINDS else SCENES
+
+
+def wrapped(text, indent="", most=8):
+    """The text in lines of at most WIDTH columns. What is beyond `most` lines is
+    left out."""
+    rows = []
+    for line in text.splitlines():
+        row = indent
+        for word in line.split():
+            if row != indent and len(row) + 1 + len(word) > WIDTH:
+                rows.append(row)
+                row = indent
+            row += (" " if row != indent else "") + word
+        if row != indent:
+            rows.append(row)
+    if len(rows) > most:
+        rows[most - 1 :] = [rows[most - 1] + " ..."]
+    return "".join(row + "\n" for row in rows)
+
+
+def sharpest_first(outcome):
+    """The failed tests."""
+    return sorted((test for test in outcome.tests if test.failed), key=kind_of)
+
+
+def described(test, most=FIRST_LINES):
+    """A failed test, and what its first failed check says."""
+    says, place = test.failed[0]
+    text = f"\n  {test.name}\n" + (f"  ({place})\n" if place else "") + wrapped(says, "    ", most)
+    return text + (f"    (and {test.failures - 1} more in this test)\n" if test.failures > 1 else "")
+
+
+def failures(tests):
+    """The first of each kind, and the names of the others."""
+    text = described(tests[0], MAX_LINES - 4 if len(tests) == 1 else FIRST_LINES)
+    kind, rest = kind_of(tests[0]), []
+    for test in tests[1:]:
+        if kind_of(test) > kind:
+            kind = kind_of(test)
+            text += described(test, GOLDEN_LINES if KINDS[kind] == "golden images" else OTHER_LINES)
+        else:
+            rest.append(test.name)
+    if not rest:
+        return text
+    room = max(MIN_NAMED, MAX_LINES - text.count("\n") - 6)
+    text += "\nand\n" + "".join(f"  {name}\n" for name in rest[:room])
+    return text + (f"  and {len(rest) - room} more\n" if len(rest) > room else "")
+
+
+def last_words(outcome):
+    """The end of what a suite that was broken off has printed: as a rule a
+    library's assertion, or an exception that nobody caught."""
+    lines = [line.strip() for line in outcome.printed.splitlines() if line.strip()]
+    # libstdc++ names the file, and the function with all its types.
+    lines = [re.sub(r"^/\S*/(\S+:\d+): .*: (Assertion '.*)", r"\1: \2", line) for line in lines[-4:]]
+    return "".join(wrapped(line, "  ", 3) for line in lines)
+
+
+def broken_off(outcome, tests, failed):
+    """The report of a run that did not come to its end. What is sharper comes first."""
+    if tests and kind_of(tests[0]) < outcome.kind:
+        return f"{fail(len(tests))}:\n" + failed + "\n" + wrapped(f"After that t{outcome.why[1:]}")
+    before = f"Before that {len(tests)} {'test' if len(tests) == 1 else 'tests'} had failed:\n"
+    return wrapped(outcome.why) + (before + failed if tests else "")
+
+
+def fail(count, among=None):
+    """That so many tests fail; `among` is how many have run."""
+    tests = f"of {among} tests" if among else "test" if count == 1 else "tests"
+    return f"{count} {tests} " + ("fails" if count == 1 else "fail. Start with the first")
+
+
+def summary(outcome):
+    """All that a screen can take."""
+    tests = sharpest_first(outcome)
+    failed = failures(tests) if tests else ""
+    count = len(outcome.tests)
+    if outcome.why:
+        text = broken_off(outcome, tests, failed)
+    elif tests:
+        text = f"{fail(len(tests), count)}:\n" + failed
+    elif count:
+        text = "1 test passes\n" if count == 1 else f"{count} tests pass\n"
+    else:
+        return "no test has such a name\n"
+    text += "".join(wrapped(f"note: {note}", "", 2) for note in outcome.notes)
+    return text + (f"\nAll that they say: {outcome.program}\n" if tests else "")
