@@ -127,7 +127,7 @@ test: setup $(BUILD)/CMakeCache.txt
 $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
 	@$(compile) $*_header
 	@$(compile) $*_tests
-	@cd $(BUILD) && ./run_suite ./$*_tests
+	@python3 -B -m tests.runner $(BUILD)/$*_tests
 
 # The exercises of a stage, in the chapter's order, and the first that is not
 # done explained. STAGE is the newest one if it is not given.

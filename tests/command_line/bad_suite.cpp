@@ -3,9 +3,13 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "support/expectations.hpp"
@@ -107,13 +111,55 @@ TEST_CASE("ends recursion in a thread") {
   std::thread([] { endless(zero); }).join();
 }
 TEST_CASE("ends exception") {
+  CAPTURE(zero);
   throw std::runtime_error("no such thing");
+}
+TEST_CASE("ends exception in a subcase") {
+  SUBCASE("the first") {
+    CAPTURE(zero);
+    throw std::runtime_error("no such thing");
+  }
+  SUBCASE("the second") {
+    CHECK(zero == 0);
+  }
+}
+TEST_CASE("ends assertion") {
+  [[maybe_unused]] volatile float value = *std::optional<float>();
 }
 TEST_CASE("ends exception in a thread") {
   std::thread([] { throw std::runtime_error("nobody catches it"); }).join();
 }
 TEST_CASE("ends sleep") {
   std::this_thread::sleep_for(std::chrono::hours(1));
+}
+TEST_CASE("ends prints") {
+  while (true) std::puts("a line of many");
+}
+TEST_CASE("ends checks") {
+  while (zero == 0) CHECK(zero == 1);
+}
+TEST_CASE("ends forged") {
+  std::puts("34 tests pass");
+  std::puts("</TestCase></TestSuite></doctest>");
+  std::exit(0);
+}
+TEST_CASE("ends child") {
+  // One in the suite's own session, one in another.
+  CHECK(std::system("sleep 1000 & setsid sleep 1000 &") == 0);
+}
+TEST_CASE("ends child and loop") {
+  CHECK(std::system("sleep 1000 & setsid sleep 1000 &") == 0);
+  while (zero == 0) {
+  }
+}
+TEST_CASE("ends subcases") {
+  for (int i = 0; i < 6; ++i) {
+    SUBCASE(std::to_string(i).c_str()) {
+      const std::clock_t start = std::clock();
+      while (std::clock() < start + CLOCKS_PER_SEC / 10) {
+      }
+    }
+  }
 }
 TEST_CASE("ends loop") {
   while (zero == 0) {

@@ -18,24 +18,20 @@ import argparse
 import concurrent.futures
 import dataclasses
 import hashlib
-import html
 import json
 import os
 import re
-import resource
 import shlex
 import subprocess
 import sys
 import tomllib
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure, stage_headers, test_names
+from compare.stages import BUILD, ROOT, Failure, stage_headers, test_names, tests_filter
+from tests.runner import suite as runner
+from tests.runner import watch
 
 CATALOGUE = Path(__file__).parent
-
-# Seconds of processor time, not of the clock: a busy machine does not make a
-# mistake look caught. A right suite needs a fifth of it.
-TIME_LIMIT = 45
 
 
 @dataclasses.dataclass
@@ -238,56 +234,22 @@ def changed_header(mistake, suite):
     return text
 
 
-def failed_tests(report):
-    """Names of the failed test cases, and of one that did not end."""
-    caught = []
-    for part in re.split(r"<TestCase (?=name=)", report)[1:]:
-        name = html.unescape(re.match(r'name="([^"]*)"', part)[1])
-        ended = "</TestCase>" in part
-        if 'skipped="true"' in part.split(">")[0]:
-            continue
-        if not ended or 'test_case_success="false"' in part:
-            caught.append(name)
-    return caught
-
-
-def noted_noise(report):
+def noted_noise(notes):
     """By how much the suite says that variances differ from a right program's."""
-    factors = re.findall(r"([0-9][0-9.e+-]*)\s+times the (?:noise|golden's)", html.unescape(report))
-    return sorted(float(factor) for factor in factors)
+    text = "\n".join(notes)
+    return sorted(float(one) for one in re.findall(r"([0-9][0-9.e+-]*)\s+times the (?:noise|golden's)", text))
 
 
-def run_program(command, seconds=TIME_LIMIT, environment=None):
-    """What a suite's program says, its exit code, and how it ended.
-
-    That is "" where it came to its end, "crash", or "time limit" after so many
-    seconds of processor time.
-    """
-
-    def limit_time():  # in the child
-        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-
-    # The suite loads the library that reads pictures from the build folder.
+def run_program(program, *options, seconds=None, environment=None):
+    """The outcome of a suite, which loads the library that reads pictures from
+    the build folder."""
     paths = {name: str(BUILD) for name in ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")}
-    try:
-        done = subprocess.run(
-            command,
-            capture_output=True,
-            text=True,
-            errors="replace",
-            preexec_fn=limit_time,
-            timeout=20 * seconds,
-            cwd=Path(command[0]).parent,
-            env=os.environ | paths | (environment or {}),
-        )
-        report, code = done.stdout, done.returncode
-    except subprocess.TimeoutExpired as late:
-        report, code = (late.stdout or b"").decode(errors="replace"), -24
-    end = "" if code in (0, 1) else "crash"
-    if code in (-24, -9, 128 + 24, 128 + 9):  # SIGXCPU
-        end = "time limit"
-    return report, code, end
+    return runner.run(
+        program,
+        *options,
+        seconds=seconds or watch.seconds_for(BUILD),
+        environment=paths | (environment or {}),
+    )
 
 
 def run_suite(program, named=""):
@@ -295,10 +257,8 @@ def run_suite(program, named=""):
 
     With `named`, only tests whose names begin so are run.
     """
-    # What would end or divide a filter of doctest's stands for any character.
-    only = ["-tc=" + re.sub(r"[,\\*\"]", "?", named) + "*"] if named else []
-    report, _, end = run_program([program, "-r=xml", *only])
-    return failed_tests(report), end, noted_noise(report)
+    outcome = run_program(program, *([f"-tc={tests_filter([named])}"] if named else []))
+    return outcome.caught_by, outcome.end, noted_noise(outcome.notes)
 
 
 def build_with(header, suite, given, folder):

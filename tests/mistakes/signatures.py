@@ -50,8 +50,8 @@ def run_goldens(program, seed, name=None):
         environment["LIGHTWALK_SIGNATURE"] = name
         for old in program.parent.glob("stage*_*.txt"):
             old.unlink()
-    report, _, _ = catalogue.run_program([program], environment=environment)
-    return report
+    outcome = catalogue.run_program(program, environment=environment)
+    return "\n".join(says for test in outcome.tests for says, _ in test.failed)
 
 
 def in_parallel(jobs, function, items):
@@ -125,7 +125,7 @@ def main():
         suite = suites[mistake.stage]
         program = build_suite(mistake, suite, given[mistake.stage], folder)
         report = run_goldens(program, 5, mistake.name)
-        count = report.count("ERROR: golden")
+        count = report.count("golden image ")
         print(f"stage {mistake.stage}: {mistake.name}: {count} goldens fail", flush=True)
         return mistake, program
 

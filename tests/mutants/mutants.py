@@ -20,7 +20,6 @@ that noticed it before.
 import argparse
 import concurrent.futures
 import dataclasses
-import html
 import json
 import math
 import os
@@ -39,8 +38,8 @@ from tests.mutants import edits, schema
 FOLDER = BUILD / "mutants"
 HERE = Path(__file__).parent
 
-# How many times as much processor time as without a change, and how many
-# seconds at least, a run may take before it is said not to end.
+# How many times as much processor time as all tests of a run without a change,
+# and how many seconds at least, a test may take before it is said not to end.
 TIMES_AS_LONG, AT_LEAST = 8, 2
 
 # The quickest tests, which together take this share of the suite's time, are
@@ -180,31 +179,17 @@ class Stage:
 
     # Its runs.
 
-    def run(self, program, number, options=(), seconds=120):
-        """(failed tests, how it ended, the report)."""
-        report, code, end = catalogue.run_program(
-            [program, "-r=xml", *options], seconds, {"LIGHTWALK_MUTANT": str(number)}
-        )
-        if end == "time limit":
-            end = "time"
-        failed = catalogue.failed_tests(report)
-        if code and not failed and not end:
-            end = "crash"
-        return failed, end, report
+    def run(self, program, number, options=(), seconds=None):
+        environment = {"LIGHTWALK_MUTANT": str(number)}
+        return catalogue.run_program(program, *options, seconds=seconds, environment=environment)
 
     def check_unchanged(self, program):
-        failed, end, report = self.run(program, 0, ["--duration=true"])
-        if failed or end:
-            raise Failure(f"stage {self.number} fails without a change: {end} {'; '.join(failed)}")
-        suite, durations = "", []
-        for part in re.split(r"(?=<Test(?:Suite|Case)\b)", report):
-            name = re.match(r'<\w+ name="([^"]*)"', part)
-            name = html.unescape(name[1]) if name else ""
-            if part.startswith("<TestSuite"):
-                suite = name
-            elif part.startswith("<TestCase"):
-                self.kind_of[name] = suite
-                durations.append((float(re.search(r'duration="([^"]*)"', part)[1]), name))
+        outcome = self.run(program, 0, ["--duration=true"])
+        if not outcome.passed:
+            failed = "; ".join(outcome.caught_by)
+            raise Failure(f"stage {self.number} fails without a change: {outcome.end} {failed}")
+        self.kind_of = {test.name: test.suite for test in outcome.tests}
+        durations = [(test.seconds, test.name) for test in outcome.tests]
         whole = sum(seconds for seconds, _ in durations)
         phases, spent = [[] for _ in SHARES], 0.0
         for seconds, name in sorted(durations):
@@ -228,17 +213,17 @@ class Stage:
             limits = [seconds for options, seconds in self.phases if name in options[0]]
             runs.insert(0, ([f"--test-case={name}"], limits[0] if limits else self.phases[-1][1]))
         for options, seconds in runs:
-            outcome = self.result(*self.run(program, number, ["--abort-after=1", *options], seconds))
+            outcome = self.result(self.run(program, number, ["--abort-after=1", *options], seconds))
             if outcome.state == "killed":
                 break
         self.keep(number, outcome)
         return outcome
 
-    def result(self, failed, end, _):
-        if not failed and not end:
+    def result(self, outcome):
+        if not outcome.caught_by and not outcome.end:
             return Outcome(self.key, "alive")
-        test = failed[0] if failed else ""
-        kind = end or self.kind_of.get(test) or "units"
+        test = outcome.caught_by[0] if outcome.caught_by else ""
+        kind = {"time limit": "time"}.get(outcome.end, outcome.end) or self.kind_of.get(test) or "units"
         return Outcome(self.key, "killed", kind, test)
 
 

@@ -25,11 +25,7 @@ def main():
             # Leaves as at an error, so that the suite is ended.
             signal.signal(getattr(signal, name), lambda number, _: sys.exit(128 + number))
     outcome = suite.run_by_kinds(
-        chosen.program,
-        *options,
-        seconds=chosen.seconds,
-        idle_seconds=chosen.idle_seconds,
-        echo=True,
+        chosen.program, *options, seconds=chosen.seconds, idle_seconds=chosen.idle_seconds, echo=True
     )
     print(report.summary(outcome), end="")
     return 0 if outcome.passed else 1

@@ -74,32 +74,45 @@ def last_words(outcome):
     return "".join(wrapped(line, "  ", 3) for line in lines)
 
 
-def broken_off(outcome, tests, failed):
-    """The report of a run that did not come to its end. What is sharper comes first."""
-    if tests and kind_of(tests[0]) < outcome.kind:
-        return f"{fail(len(tests))}:\n" + failed + "\n" + wrapped(f"After that t{outcome.why[1:]}")
-    before = f"Before that {len(tests)} {'test' if len(tests) == 1 else 'tests'} had failed:\n"
-    return wrapped(outcome.why) + (before + failed if tests else "")
+def came_first(outcome, tests):
+    """Whether a sharper test had failed before the run was broken off."""
+    return bool(tests) and kind_of(tests[0]) < outcome.kind
 
 
 def fail(count, among=None):
     """That so many tests fail; `among` is how many have run."""
-    tests = f"of {among} tests" if among else "test" if count == 1 else "tests"
-    return f"{count} {tests} " + ("fails" if count == 1 else "fail. Start with the first")
+    tests = "test" if (among or count) == 1 else "tests"
+    tests = f"of {among} {tests}" if among else tests
+    return f"{count} {tests} " + ("fails" if count == 1 else "fail. Start with the first") + ":\n"
 
 
 def summary(outcome):
     """All that a screen can take."""
-    tests = sharpest_first(outcome)
+    tests, count = sharpest_first(outcome), len(outcome.tests)
     failed = failures(tests) if tests else ""
-    count = len(outcome.tests)
-    if outcome.why:
-        text = broken_off(outcome, tests, failed)
+    if outcome.why and came_first(outcome, tests):
+        text = fail(len(tests)) + failed + "\n" + wrapped(f"Then t{outcome.why[1:]}")
+    elif outcome.why:
+        before = f"Before that {len(tests)} {'test' if len(tests) == 1 else 'tests'} had failed:\n"
+        text = wrapped(outcome.why) + (before + failed if tests else "")
     elif tests:
-        text = f"{fail(len(tests), count)}:\n" + failed
+        text = fail(len(tests), count) + failed
     elif count:
         text = "1 test passes\n" if count == 1 else f"{count} tests pass\n"
     else:
-        return "no test has such a name\n"
+        text = "no test has such a name\n"
     text += "".join(wrapped(f"note: {note}", "", 2) for note in outcome.notes)
     return text + (f"\nAll that they say: {outcome.program}\n" if tests else "")
+
+
+def first_failure(outcome):
+    """The same of one test: the first that fails, or that did not end."""
+    tests = sharpest_first(outcome)
+    failed = described(tests[0]).strip("\n") + "\n" if tests else ""
+    if not outcome.why:
+        return failed or summary(outcome)
+    words = last_words(outcome) if outcome.end == "crash" else ""
+    words += "\n" if words else ""
+    if came_first(outcome, tests):
+        return f"{failed}\n{words}" + wrapped(f"Then t{outcome.why[1:]}")
+    return words + wrapped(outcome.why) + ("\n" + failed if failed else "")

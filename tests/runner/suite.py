@@ -317,7 +317,7 @@ def listen_to_the_end(command, report, printed, options):
     return done.returncode, ""
 
 
-def crash_in_words(number):
+def crash_in_words(number, printed):
     if number in (signal.SIGSEGV, signal.SIGBUS):
         return (
             "it used memory that it does not have (an index out of range, a null pointer), "
@@ -326,13 +326,12 @@ def crash_in_words(number):
     if number == signal.SIGFPE:
         return "an integer was divided by zero"
     if number == signal.SIGABRT:
-        return (
-            "std::abort: a failed assert, or an exception that nobody caught; the lines above may say which"
-        )
+        above = "; the lines above may say which" if printed else ""
+        return f"std::abort: a failed assert, or an exception that nobody caught{above}"
     return f"signal {signal.strsignal(number)}"
 
 
-def broken_off(report, code, stopped, options):
+def broken_off(report, code, stopped, printed, options):
     """Why a run is none that passes, ("time limit" or "crash", a sentence about
     the test it ended in). Empty where the suite came to its end."""
     when = (
@@ -353,7 +352,7 @@ def broken_off(report, code, stopped, options):
             f"{options['idle_seconds']:g} seconds. A lock that is never released?"
         )
     if code < 0:
-        return "crash", f"The tests crashed{when}{crash_in_words(-code)}"
+        return "crash", f"The tests crashed{when}{crash_in_words(-code, printed)}"
     if not report.done:
         return "crash", (
             f"The program left by std::exit or the like, exit code {code},{when}"
@@ -361,8 +360,8 @@ def broken_off(report, code, stopped, options):
         )
     if code and not any(test.failed for test in report.tests):
         return "crash", (
-            f"The program ended with exit code {code}{when}"
-            "though no test failed. The lines above may say why."
+            f"The program ended with exit code {code}{when}though no test failed."
+            + (" The lines above may say why." if printed else "")
         )
     return "", ""
 
@@ -381,8 +380,9 @@ def run(program, *options, seconds=None, idle_seconds=watch.IDLE_SECONDS, enviro
     command = [program, *options, "-r=suite", "--no-skipped-summary"]
     report, printed = SuiteReport(), Printed(echo)
     code, stopped = (listen_to_the_end if os.name == "nt" else listen)(command, report, printed, given)
-    end, why = broken_off(report, code, stopped, given)
-    return Outcome(str(program), report.tests, report.notes, printed.text(), end, why)
+    text = printed.text()
+    end, why = broken_off(report, code, stopped, text, given)
+    return Outcome(str(program), report.tests, report.notes, text, end, why)
 
 
 def run_by_kinds(program, *options, **others):
@@ -396,7 +396,7 @@ def run_by_kinds(program, *options, **others):
         one = run(program, *options, chosen, **others)
         whole.tests += one.tests
         whole.notes += [note for note in one.notes if note not in whole.notes]
-        whole.printed = (whole.printed + one.printed)[-2 * MAX_PRINTED :]
+        whole.printed += one.printed
         whole.end, whole.why, whole.kind = one.end, one.why, kind
         if one.why:
             break

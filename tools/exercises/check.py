@@ -21,14 +21,13 @@ import time
 import tomllib
 
 from compare.stages import BUILD, ROOT, Failure, run, tests_filter
+from tests.runner import report, suite
 from tools.exercises.marks import marks
 from tools.exercises.sheet import headers_with_exercises, read_tasks, title_of
 from tools.exercises.words import plain, say
 
 NOTES = BUILD / "check"
 SCREEN = 24
-# A test has 20 seconds by run_suite; this is for all tests of an exercise.
-TIME_LIMIT = 120
 
 
 @dataclasses.dataclass
@@ -80,41 +79,18 @@ def first_words(text, most=SCREEN):
 
 
 def run_suite(stage, tests=()):
-    """Runs some of the stage's tests, or all. What they say, and whether they
-    pass; where a call of an open exercise was reached, it says so first."""
+    """Runs some of the stage's tests, or all."""
     suffix = ".exe" if os.name == "nt" else ""
-    suite = BUILD / f"stage{stage}_check{suffix}"
-    runner = BUILD / f"run_suite{suffix}"
-    command = [
-        *([runner] if runner.exists() else []),
-        suite,
-        "-r=brief",
-        *([f"-tc={tests_filter(tests)}"] if tests else []),
-    ]
-    try:
-        done = subprocess.run(
-            command,
-            cwd=BUILD,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            errors="backslashreplace",
-            timeout=TIME_LIMIT,
-        )
-    except subprocess.TimeoutExpired:
-        return say("does not come to an end: a loop without a way out?"), False
-    reached = [line for line in done.stderr.splitlines() if "is still open" in line]
-    return done.stdout + "\n" + "\n".join(reached), done.returncode == 0
+    options = [f"-tc={tests_filter(tests)}"] if tests else []
+    return suite.run_by_kinds(BUILD / f"stage{stage}_check{suffix}", *options)
 
 
-def explained(report):
-    """Of what the suite says, the first test that fails."""
-    blocks = re.split(r"\n\s*\n", report.strip())
-    # A test that crashes or hangs is told in the first lines.
-    first = [] if re.match(r"\d+ of \d+ tests? fail", blocks[0]) else blocks[:1]
+def explained(outcome):
+    """Of what the suite says, the first test that fails, or did not end."""
+    text = report.first_failure(outcome)
     # Where a test came through an exercise that is open, that may be all.
-    reached = [line for line in report.splitlines() if "is still open" in line]
-    return "\n\n".join(first + blocks[1:2] + reached[:1])
+    reached = [line for line in outcome.printed.splitlines() if "is still open" in line]
+    return "\n".join([text, *reached[:1]]) if reached and reached[0] not in text else text.rstrip("\n")
 
 
 def judge(stage, header):
@@ -131,9 +107,9 @@ def judge(stage, header):
         elif waits:
             one.state, one.needs = "waits", waits
         else:
-            report, passed = run_suite(stage, task["tests"])
-            if not passed:
-                one.state, one.says = "wrong", explained(report)
+            outcome = run_suite(stage, task["tests"])
+            if not outcome.passed:
+                one.state, one.says = "wrong", explained(outcome)
     return list(judged.values())
 
 
@@ -142,9 +118,9 @@ def late_failure(stage, judged, whole):
     of theirs, the last one, which all paths go through."""
     for one in judged:
         if one.task.get("later"):
-            report, passed = run_suite(stage, one.task["later"])
-            if not passed:
-                return dataclasses.replace(one, state="wrong", says=explained(report))
+            outcome = run_suite(stage, one.task["later"])
+            if not outcome.passed:
+                return dataclasses.replace(one, state="wrong", says=explained(outcome))
     return dataclasses.replace(judged[-1], state="wrong", says=explained(whole))
 
 
@@ -199,9 +175,9 @@ def check(stage):
     if first:
         print("\n".join(explain(first)))
         return False
-    report, passed = run_suite(stage)
-    if not passed:
-        late = late_failure(stage, judged, report)
+    outcome = run_suite(stage)
+    if not outcome.passed:
+        late = late_failure(stage, judged, outcome)
         remember(stage, late)
         print(
             say(
@@ -212,7 +188,7 @@ def check(stage):
         )
         print("\n".join(explain(late)))
         return False
-    print(report.strip() + "\n")
+    print(report.summary(outcome))
     print(say("Stage {stage} is done. `make` paints its picture.", stage=stage))
     return True
 

@@ -20,6 +20,8 @@ COMMON = (
     "scenes/scene.schema.json",
     "stages/introductions.hpp",
     "compare/",
+    "tests/__init__.py",
+    "tests/runner/",
     "tests/support/",
     "tests/suites.cmake",
     "tests/leaks.supp",
