@@ -1,19 +1,64 @@
 """What the tests of the command line share: a run that ends, and a folder."""
 
-import functools
 import pathlib
 import shutil
 import signal
+import subprocess
 import tempfile
+import time
 import unittest
 
-from compare import stages
 from compare.stages import BUILD, ROOT, SCENES, built_stages, read_pfm  # noqa: F401
+from tests.runner import watch
 
-# No test expects anything to take so long: a hang shall end in a failure.
-HANG = 120
+# Seconds of processor time that no program of the tests needs: a hang shall end
+# in a failure. There is no limit by the clock, since the machine may be busy.
+HANG = 240
 
-run = functools.partial(stages.run, timeout=HANG)
+
+class Patience:
+    """Waits for a process as long as it is doing something that may come to an end."""
+
+    def __init__(self, process, seconds=HANG):
+        self.process = process
+        self.watch = watch.Watch(process.pid, seconds)
+
+    def look(self):
+        """To be called at least once in a watch.PERIOD."""
+        if why := self.watch.look():
+            self.process.kill()
+            raise AssertionError(f"{self.process.args} does not come to an end: it is {why}")
+
+    def until(self, condition):
+        """Returns when the condition is met, or the process has ended."""
+        while self.process.poll() is None and not condition():
+            time.sleep(0.01)
+            self.look()
+
+
+def communicate(process, text=None, seconds=HANG):
+    """As the process's own, to its end."""
+    patience = Patience(process, seconds)
+    while True:
+        try:
+            return process.communicate(text, timeout=watch.PERIOD)
+        except subprocess.TimeoutExpired:
+            text = None
+            patience.look()
+
+
+def run_command(command, seconds=HANG, **options):
+    """Runs a command to its end; what it prints is text."""
+    pipes = dict(stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    pipes |= dict(encoding="utf-8", errors="backslashreplace")
+    with subprocess.Popen(command, **(pipes | options)) as process:
+        said = communicate(process, seconds=seconds)
+    return subprocess.CompletedProcess(command, process.returncode, *said)
+
+
+def run(program, *arguments, folder=None, **options):
+    """The same for a program that was built."""
+    return run_command([BUILD / program, *map(str, arguments)], cwd=folder, **options)
 
 
 def sanitized():

@@ -15,7 +15,9 @@ import time
 import unittest
 
 from broken_scenes import GOOD, with_instead
-from programs import BUILD, HANG, SCENES, InFolder, built_stages, read_pfm, run
+from programs import BUILD, SCENES, InFolder, Patience, built_stages, communicate, read_pfm, run, run_command
+
+from tests.runner import watch
 
 # The box under a bright ceiling: no pixel of it is black.
 BOX = SCENES / "cornell_box_ceiling_diffuse.toml"
@@ -36,13 +38,12 @@ def catches_interrupts(process):
 
 
 def interrupt(process, after=0.3):
-    """Presses Ctrl-C when the program has rendered for some time."""
-    end = time.monotonic() + HANG
-    while not catches_interrupts(process) and process.poll() is None:
-        if time.monotonic() > end:
-            break
-        time.sleep(0.01)
+    """Presses Ctrl-C when the program has rendered for some time, by the clock and
+    by the processor: on a busy machine, the clock alone says nothing."""
+    patience = Patience(process)
+    patience.until(lambda: catches_interrupts(process))
     time.sleep(after)
+    patience.until(lambda: watch.usage(process.pid)[0] >= after)
     process.send_signal(signal.SIGINT)
 
 
@@ -349,13 +350,8 @@ class WhatCannotBeWritten(Programs):
         environment = dict(os.environ)
         environment.pop("LD_LIBRARY_PATH", None)
         for ending in ["exr", "png"]:
-            result = subprocess.run(
-                ["./stage1", BOX, "-o", f"out.{ending}", *FOR_EVER],
-                cwd=self.folder,
-                capture_output=True,
-                text=True,
-                timeout=HANG,
-                env=environment,
+            result = run_command(
+                ["./stage1", BOX, "-o", f"out.{ending}", *FOR_EVER], cwd=self.folder, env=environment
             )
             self.assert_one_line(
                 result,
@@ -407,7 +403,7 @@ class CtrlC(Programs):
             text=True,
         )
         interrupt(process)
-        stdout, stderr = process.communicate(timeout=HANG)
+        stdout, stderr = communicate(process)
         self.assertEqual(process.returncode, 130, stderr)
         # No progress where stderr is not a terminal: this line is all.
         said = re.fullmatch(r"stage1: interrupted after (\d+) of 1000000000 samples per pixel\n", stderr)
@@ -443,12 +439,10 @@ class CtrlC(Programs):
             stderr=subprocess.PIPE,
             text=True,
         )
-        end = time.monotonic() + HANG
-        while not catches_interrupts(process) and time.monotonic() < end:
-            time.sleep(0.01)
+        Patience(process).until(lambda: catches_interrupts(process))
         (self.folder / "sub").rmdir()
         interrupt(process)
-        *_, stderr = process.communicate(timeout=HANG)
+        *_, stderr = communicate(process)
         self.assertRegex(stderr, r"^stage1: sub/out\.pfm cannot be written: ")
         self.assertEqual(process.returncode, 1)
         self.assertEqual(self.files(), [])
@@ -477,7 +471,7 @@ class Progress(Programs):
         reader = threading.Thread(target=read)
         reader.start()
         interrupt(process, after=0.8)
-        process.wait(timeout=HANG)
+        Patience(process).until(lambda: False)
         reader.join()
         os.close(ours)
         return b"".join(written).decode()

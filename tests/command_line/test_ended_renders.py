@@ -5,7 +5,7 @@ import signal
 import subprocess
 import unittest
 
-from programs import BUILD, HANG, SCENES, InFolder, built_stages, run, sanitized
+from programs import BUILD, SCENES, InFolder, built_stages, communicate, run, sanitized
 
 BOX = SCENES / "cornell_box_ceiling_diffuse.toml"
 
@@ -77,7 +77,7 @@ class TreesOfPaths(InFolder):
             r"take more than [\d.e+]+ (days|years); fewer --max-bounces take less\n$",
         )
         process.send_signal(signal.SIGINT)
-        process.communicate(timeout=HANG)
+        communicate(process)
         self.assertEqual(process.returncode, 130)
 
     def test_is_too_long_to_be_told(self):

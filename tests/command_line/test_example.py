@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from programs import BUILD, HANG, ROOT, SCENES, InFolder, read_pfm, run
+from programs import BUILD, ROOT, SCENES, InFolder, read_pfm, run, run_command
 
 
 def configured(name):
@@ -37,9 +37,7 @@ class Example(InFolder):
         self.assertIn("/glm/", needs)
 
         before = self.files()
-        done = subprocess.run(
-            [self.folder / "paint"], cwd=self.folder, capture_output=True, text=True, timeout=HANG
-        )
+        done = run_command([self.folder / "paint"], cwd=self.folder)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
         self.assertEqual(self.files(), sorted([*before, "box.pfm"]))
 

@@ -14,7 +14,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from programs import BUILD, HANG, ROOT, InFolder, run
+from programs import BUILD, ROOT, InFolder, communicate, run
 
 from compare.stages import stage_headers
 
@@ -70,12 +70,12 @@ def program_of(text):
     return "".join(f"{line[7:]}\n" for line in shown.splitlines())
 
 
-def together(*commands, folder, timeout=None):
+def together(*commands, folder):
     """Runs them side by side: their exit codes and what they say."""
     pipes = dict(cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     running = [subprocess.Popen(command, **pipes) for command in commands]
     try:
-        said = [one.communicate(timeout=timeout)[0] for one in running]
+        said = [communicate(one)[0] for one in running]
     finally:
         for one in running:
             one.kill()
@@ -114,7 +114,7 @@ class Compiled(InFolder):
         self.assertTrue(any("/glm/" in name for name in needs))
 
     def assert_paints_like_the_tree(self, samples, *options):
-        done = together([self.folder / "box"], folder=self.folder, timeout=HANG)
+        done = together([self.folder / "box"], folder=self.folder)
         self.assertEqual(done, [(0, "")])
         scene = ROOT / re.search(r"build/stage\d (scenes/\S+)", self.text)[1]
         tree = run(
@@ -283,7 +283,7 @@ class EveryStage(Compiled):
         if cxx == compiler():
             self.assert_paints_like_the_tree(16)
         else:
-            self.assertEqual(together([self.folder / "box"], folder=self.folder, timeout=HANG), [(0, "")])
+            self.assertEqual(together([self.folder / "box"], folder=self.folder), [(0, "")])
         # The tree's own headers, by the same compiler with the same options.
         (self.folder / "box.pfm").rename(self.folder / "single.pfm")
         headers = re.findall(r"^// ==== (\S+)", self.text, re.MULTILINE)
@@ -293,7 +293,7 @@ class EveryStage(Compiled):
         options = ["-std=c++20", "-O2", "-ffp-contract=off", "-pthread", "-I", ROOT, *glm()]
         command = [cxx, *options, "tree.cpp", "-o", "tree"]
         self.assertEqual(together(command, folder=self.folder), [(0, "")])
-        self.assertEqual(together([self.folder / "tree"], folder=self.folder, timeout=HANG), [(0, "")])
+        self.assertEqual(together([self.folder / "tree"], folder=self.folder), [(0, "")])
         self.assert_same_bytes("single.pfm", "box.pfm")
         # Without any option but the standard's.
         bare = [cxx, "-std=c++20", "-x", "c++", "-fsyntax-only", *glm(), self.name]

@@ -262,7 +262,7 @@ class Diff(programs.InFolder):
 
     def diff(self, a, b, **variables):
         process = self.start(a, b, **variables)
-        output, errors = process.communicate(timeout=programs.HANG)
+        output, errors = programs.communicate(process)
         return process.returncode, output, errors
 
     def check_cannot(self, words, *arguments, **variables):
@@ -291,7 +291,7 @@ class Diff(programs.InFolder):
         pairs = [("stage1", "stage1", 0), (black, "stage1", 1)]
         running = [(self.start(a, b), code) for a, b, code in pairs]
         for process, code in running:
-            output, errors = process.communicate(timeout=programs.HANG)
+            output, errors = programs.communicate(process)
             self.assertEqual(process.returncode, code, output + errors)
 
     def test_old_runs_go(self):

@@ -15,7 +15,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import uuid
 from pathlib import Path
 from xml.etree import ElementTree
@@ -278,16 +277,13 @@ def listen(command, report, printed, options):
                         break
                 return report.steps
 
-            looked = time.monotonic()
             while process.poll() is None and not stopped:
                 if pipes.get_map():
                     read(watch.PERIOD)
                 else:  # it has closed them, and is about to end
                     with contextlib.suppress(subprocess.TimeoutExpired):
                         process.wait(watch.PERIOD)
-                if time.monotonic() - looked >= watch.PERIOD:
-                    stopped = watcher.look(steps)
-                    looked = time.monotonic()
+                stopped = watcher.look(steps)
             steps()
             if stopped or pipes.get_map():  # somebody who holds a pipe is left
                 kill_all(process, mark)

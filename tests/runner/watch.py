@@ -10,6 +10,7 @@ import os
 import re
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 # Seconds of processor time, of all threads together, for one test or one of its
@@ -38,28 +39,42 @@ def usage_by_proc(pid):
         return path.read_text().rpartition(")")[2].split()
 
     folder = Path(f"/proc/{pid}")
-    times = fields(folder / "stat")
-    seconds = (int(times[11]) + int(times[12])) / os.sysconf("SC_CLK_TCK")
-    # A thread that waits for a processor (R) or for a disk (D) would go on.
-    return seconds, any(fields(task / "stat")[0] in "RD" for task in folder.glob("task/*"))
+    times = fields(folder / "stat")[11:15]  # its own, and of children that have ended
+    seconds = sum(map(int, times)) / os.sysconf("SC_CLK_TCK")
+    willing = False
+    for task in folder.glob("task/*"):
+        # A thread that waits for a processor (R) or for a disk (D) would go on.
+        willing |= fields(task / "stat")[0] in "RD"
+        children = task / "children"
+        for child in children.read_text().split() if children.exists() else ():
+            used, would = usage(child)
+            seconds, willing = seconds + used, willing or would
+    return seconds, willing
 
 
 def usage_by_ps(pid):
     """As `usage`, by a program that every Unix has."""
-    said = subprocess.run(["ps", "-o", "state=,time=", "-p", str(pid)], capture_output=True, text=True).stdout
-    state, time = said.split()
+    said = subprocess.run(["ps", "-A", "-o", "pid=,ppid=,state=,time="], capture_output=True, text=True)
+    rows = {pid: row for pid, *row in map(str.split, said.stdout.splitlines())}
+    family = [str(pid)]
+    for parent in family:
+        family += [child for child, row in rows.items() if row[0] == parent]
     seconds = 0.0
-    for part in re.split("[-:]", time):  # days would count as hours: enough to be stopped
-        seconds = 60 * seconds + float(part)
-    return seconds, state[0] in "RDU"
+    for one in family:
+        used = 0.0
+        for part in re.split("[-:]", rows[one][2]):  # a day counts as 60 hours: long enough
+            used = 60 * used + float(part)
+        seconds += used
+    return seconds, any(rows[one][1][0] in "RDU" for one in family)
 
 
 def usage(pid):
-    """The processor time that a process has used, and whether it would use more
-    if it got a processor. What cannot be seen, as after its end, would."""
+    """The processor time that a process and its children have used, and whether
+    they would use more if they got a processor. What cannot be seen, as after
+    its end, would."""
     try:
         return (usage_by_proc if sys.platform == "linux" else usage_by_ps)(pid)
-    except (OSError, ValueError, IndexError):
+    except (OSError, ValueError, LookupError):
         return 0.0, True
 
 
@@ -70,19 +85,23 @@ class Watch:
         self.pid = pid
         self.seconds, self.idle_seconds = seconds, idle_seconds
         self.step, self.start, self.last, self.idle = 0, 0.0, 0.0, 0.0
+        self.looked = time.monotonic()
 
     def look(self, step=lambda: 0):
-        """To be called once in a PERIOD. `step` counts the steps that are done:
-        each has all the seconds for itself. Returns why the process is to be
+        """To be called at least once in a PERIOD. `step` counts the steps that are
+        done: each has all the seconds for itself. Returns why the process is to be
         stopped: "" or "busy" or "idle"."""
+        if time.monotonic() - self.looked < PERIOD:
+            return ""
         used, willing = usage(self.pid)
         now = step()
         if now != self.step:
             # The step may have begun after `used` was read.
             self.step, self.start, self.idle = now, usage(self.pid)[0], 0.0
             return ""
-        # A look is one PERIOD however long ago the last one was: where the
+        # A look is one PERIOD, however long ago the last one was: where the
         # machine has no time for looks, it has none for the process.
+        self.looked = time.monotonic()
         self.idle = 0.0 if willing or used > self.last else self.idle + PERIOD
         self.last = used
         if used - self.start > self.seconds:

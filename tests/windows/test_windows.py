@@ -15,6 +15,7 @@ import tempfile
 import unittest
 
 from compare.stages import BUILD, ROOT
+from tests.command_line.programs import run_command
 
 WINDOWS = BUILD / "windows"
 STAGES = range(1, 6)
@@ -61,16 +62,10 @@ class Windows(unittest.TestCase):
     def tearDownClass(cls):
         cls.temporary.cleanup()
 
-    def run_windows(self, program, *arguments, limit=1200):
+    def run_windows(self, program, *arguments):
         """Runs a program under wine; returns what subprocess.run returns."""
-        return subprocess.run(
-            [wine_program(), WINDOWS / f"{program}.exe", *map(str, arguments)],
-            cwd=self.folder,
-            env=self.environment,
-            capture_output=True,
-            encoding="utf-8",
-            timeout=limit,
-        )
+        command = [wine_program(), WINDOWS / f"{program}.exe", *map(str, arguments)]
+        return run_command(command, seconds=1200, cwd=self.folder, env=self.environment)
 
     def paint(self, stage, *arguments):
         done = self.run_windows(f"stage{stage}", *arguments)
