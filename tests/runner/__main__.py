@@ -21,12 +21,15 @@ def main():
     parser.add_argument("program")
     chosen, options = parser.parse_known_args()
     for name in ("SIGTERM", "SIGHUP"):
-        if hasattr(signal, name):
+        number = getattr(signal, name, None)  # Windows has one of them
+        if number and signal.getsignal(number) != signal.SIG_IGN:  # nohup
             # Leaves as at an error, so that the suite is ended.
-            signal.signal(getattr(signal, name), lambda number, _: sys.exit(128 + number))
-    outcome = suite.run_by_kinds(
-        chosen.program, *options, seconds=chosen.seconds, idle_seconds=chosen.idle_seconds, echo=True
-    )
+            signal.signal(number, lambda number, _: sys.exit(128 + number))
+    limits = {"seconds": chosen.seconds, "idle_seconds": chosen.idle_seconds}
+    try:
+        outcome = suite.run_by_kinds(chosen.program, *options, **limits, echo=True)
+    except OSError as error:
+        sys.exit(f"tests.runner: {chosen.program}: {error.strerror}")
     print(report.summary(outcome), end="")
     return 0 if outcome.passed else 1
 
@@ -36,5 +39,3 @@ if __name__ == "__main__":
         sys.exit(main())
     except KeyboardInterrupt:
         sys.exit(130)
-    except OSError as error:
-        sys.exit(f"tests.runner: {error.filename}: {error.strerror}")
