@@ -15,7 +15,7 @@ from pathlib import Path
 
 from programs import BUILD, ROOT, sanitized, with_signals
 
-from tests.runner import report, suite, watch
+from tests.runner import process, report, suite, watch
 
 SUITE = BUILD / "bad_suite"
 
@@ -194,7 +194,7 @@ class Limits(Runner):
 
     def test_what_is_printed_for_ever_is_cut(self):
         outcome = run("ends prints", seconds=0.5)
-        self.assertLess(len(outcome.printed), 3 * suite.MAX_PRINTED)
+        self.assertLess(len(outcome.printed), 3 * process.MAX_PRINTED)
         self.assertRegex(outcome.printed, r"\n\.\.\. \d{6,} more bytes are left out here \.\.\.\n")
         self.assertTrue(outcome.printed.startswith("a line of many\n"))
 

@@ -27,9 +27,12 @@ def main():
             signal.signal(number, lambda number, _: sys.exit(128 + number))
     limits = {"seconds": chosen.seconds, "idle_seconds": chosen.idle_seconds}
     try:
-        outcome = suite.run_by_kinds(chosen.program, *options, **limits, echo=True)
+        outcome = suite.run_by_kinds(chosen.program, *options, **limits)
     except OSError as error:
         sys.exit(f"tests.runner: {chosen.program}: {error.strerror}")
+    sys.stdout.reconfigure(errors="backslashreplace")
+    if outcome.printed:
+        print(outcome.printed.rstrip("\n"))
     print(report.summary(outcome), end="")
     return 0 if outcome.passed else 1
 

@@ -14,7 +14,8 @@ import unittest
 from pathlib import Path
 
 from compare.stages import ROOT, Failure
-from tests.runner.suite import Outcome, Test
+from tests.runner.doctest_report import Test
+from tests.runner.suite import Outcome
 from tools.exercises import check, words
 from tools.exercises.marks import exercises, marks
 from tools.exercises.sheet import headers_with_exercises

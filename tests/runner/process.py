@@ -1,0 +1,134 @@
+"""A suite as a process of its own, which ends with everything that it starts."""
+
+import contextlib
+import ctypes
+import os
+import selectors
+import signal
+import subprocess
+import sys
+import tempfile
+import uuid
+from pathlib import Path
+
+from tests.runner import watch
+
+# So many bytes of the beginning, and as many of the end, of what a suite prints
+# are kept.
+MAX_PRINTED = 16_000
+CHUNK = 1 << 16
+# All processes that a suite starts have it in their environment.
+MARK = "LIGHTWALK_SUITE"
+if sys.platform == "linux":
+    prctl = ctypes.CDLL(None).prctl
+
+
+class Printed:
+    """The beginning and the end of what a suite prints."""
+
+    def __init__(self):
+        self.first = self.last = b""
+        self.left_out = 0
+
+    def feed(self, data):
+        room = MAX_PRINTED - len(self.first)
+        self.first += data[:room]
+        rest = self.last + data[room:]
+        self.last = rest[-MAX_PRINTED:]
+        self.left_out += len(rest) - len(self.last)
+
+    def text(self):
+        gap = f"\n... {self.left_out} more bytes are left out here ...\n" if self.left_out else ""
+        return (self.first + gap.encode() + self.last).decode(errors="backslashreplace")
+
+
+def in_the_suite():
+    """What the suite does before it starts."""
+    import resource
+
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    if sys.platform == "linux":
+        prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG: it does not outlive this program
+
+
+def kill_all(process, mark):
+    """Ends the suite and what it has started, also what has a session of its own."""
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        os.killpg(process.pid, signal.SIGKILL)
+    for path in Path("/proc").glob("[0-9]*/environ"):
+        with contextlib.suppress(OSError):
+            if f"{MARK}={mark}".encode() in path.read_bytes().split(b"\0"):
+                os.kill(int(path.parent.name), signal.SIGKILL)
+
+
+def listen(command, report, printed, limits, **options):
+    """Runs the suite to its end, or until it is to be stopped. Returns its exit
+    code, and why it was stopped."""
+    mark = uuid.uuid4().hex
+    reading, writing = os.pipe()
+    with contextlib.ExitStack() as at_the_end:
+        at_the_end.callback(os.close, reading)
+        try:
+            process = subprocess.Popen(
+                [*command, f"-o=/dev/fd/{writing}"],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                pass_fds=[writing],
+                start_new_session=True,
+                preexec_fn=in_the_suite,
+                **options | {"env": options["env"] | {MARK: mark}},
+            )
+        finally:
+            os.close(writing)
+        at_the_end.callback(process.stdout.close)
+        at_the_end.callback(process.wait)
+        readers = {reading: report.feed, process.stdout.fileno(): printed.feed}
+        pipes = at_the_end.enter_context(selectors.DefaultSelector())
+        for end in readers:
+            os.set_blocking(end, False)
+            pipes.register(end, selectors.EVENT_READ)
+
+        def read(seconds):
+            """Some of what has been written; whether there was anything."""
+            ready = pipes.select(seconds)
+            for key, _ in ready:
+                data = os.read(key.fd, CHUNK)
+                readers[key.fd](data)
+                if not data:
+                    pipes.unregister(key.fd)
+            return bool(ready)
+
+        def steps():
+            # A pipe holds a CHUNK, and more may come all the time.
+            for _ in range(4):
+                if not read(0):
+                    break
+            return report.steps
+
+        watcher, stopped = watch.Watch(process.pid, *limits), ""
+        try:
+            while process.poll() is None and not stopped:
+                if pipes.get_map():
+                    read(watch.PERIOD)
+                else:  # the suite has closed them, and is about to end
+                    with contextlib.suppress(subprocess.TimeoutExpired):
+                        process.wait(watch.PERIOD)
+                stopped = watcher.look(steps)
+            steps()
+        finally:
+            # Somebody who holds a pipe is left.
+            if process.poll() is None or pipes.get_map():
+                kill_all(process, mark)
+    return process.returncode, stopped
+
+
+def run_to_the_end(command, report, printed, limits, **options):
+    """The same for Windows, where nothing is stopped."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "report.xml"
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "stdin": subprocess.DEVNULL}
+        done = subprocess.run([*command, f"-o={file}"], **pipes, **options)
+        printed.feed(done.stdout)
+        report.feed(file.read_bytes() if file.exists() else b"")
+    return done.returncode, ""
