@@ -11,6 +11,7 @@ import sys
 import threading
 import time
 import unittest
+import unittest.mock as mock
 from pathlib import Path
 
 from programs import BUILD, ROOT, sanitized, with_signals
@@ -212,6 +213,16 @@ class Limits(Runner):
             self.assert_says("ends lock", 'stopped during the test "ends lock" in which', idle_seconds=1)
             self.assert_says("ends loop", 'stopped during the test "ends loop" which had', seconds=0.2)
 
+    def test_what_waits_for_a_processor_is_not_idle(self):
+        """However long: no test can make a machine so busy."""
+        for willing, why in ((True, ""), (False, "idle")):
+            with self.subTest(willing), mock.patch.object(watch, "usage", return_value=(1, willing)):
+                watcher = watch.Watch(os.getpid(), idle_seconds=60)
+                for _ in range(int(70 / watch.PERIOD)):
+                    watcher.looked -= watch.PERIOD
+                    said = watcher.look()
+                self.assertEqual(said, why)
+
     def test_a_slow_build_has_ten_times_as_long(self):
         with self.subTest("this build"):
             expected = 200 if sanitized() else watch.SECONDS
@@ -247,7 +258,7 @@ class NothingIsLeft(Runner):
                 os.kill(pid, signal.SIGKILL)
 
     def assert_nothing_left(self):
-        end = time.monotonic() + 60  # the kernel may need a while to end them
+        end = time.monotonic() + 20  # the kernel may need a while to end them
         while left := marked():
             self.assertLess(time.monotonic(), end, f"{len(left)} processes are left")
             time.sleep(0.05)
@@ -277,8 +288,11 @@ class NothingIsLeft(Runner):
                     stderr=subprocess.PIPE,
                     **with_signals(),
                 )
+                # Its children are there, and it loops.
                 count = 2 if tests == "ends loop" else 4
-                while len(marked()) < count:
+                while len(marked()) < count or not any(
+                    watch.usage(pid)[0] > 0.2 for pid in marked() - {runner.pid}
+                ):
                     self.assertIsNone(runner.poll())
                     time.sleep(0.05)
                 runner.send_signal(number)
