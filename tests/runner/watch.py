@@ -15,7 +15,7 @@ from pathlib import Path
 
 # Seconds of processor time, of all threads together, for one test or one of its
 # subcases. It is an amount of work: the number of processors does not change
-# it. A right test needs at most a fifth of it.
+# it. The longest right one takes 2.4 (core, on a slow machine).
 SECONDS = 20
 # Seconds in which no thread runs or wants to run: a lock that is never released.
 IDLE_SECONDS = 60
