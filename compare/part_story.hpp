@@ -23,7 +23,7 @@ inline const Part* find_part(const std::vector<Part>& parts,
 }
 
 /// "0", "0 and 1", "0, 1 and 2".
-inline std::string listed(const std::vector<std::string>& words,
+inline std::string in_a_list(const std::vector<std::string>& words,
                           const char* last = " and ") {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -107,9 +107,9 @@ inline std::string bounces_in_words(const std::vector<PartVerdict>& bounces,
     std::string text =
         good.empty() ? "It is wrong with max_bounces " + number + " already"
         : surely_first
-            ? "With max_bounces " + listed(good) +
+            ? "With max_bounces " + in_a_list(good) +
                   " it is right, and wrong from " + number + " on"
-            : "With max_bounces " + listed(good) +
+            : "With max_bounces " + in_a_list(good) +
                   " it is right, and wrong for sure with " + number;
     if (!place.words.empty()) text += ", " + place.words;
     const std::string amount =
@@ -122,7 +122,7 @@ inline std::string bounces_in_words(const std::vector<PartVerdict>& bounces,
     return text + amount + ".";
   }
   if (good.empty()) return "";
-  return "With max_bounces " + listed(good) + " it is right.";
+  return "With max_bounces " + in_a_list(good) + " it is right.";
 }
 
 /// What is wrong by itself and what is right. `what` is put behind each name.
@@ -136,9 +136,9 @@ inline std::string alone_in_words(const std::vector<PartVerdict>& parts) {
     }
   }
   if (bad.empty() && good.size() < 2) return "";
-  if (bad.empty()) return "With " + listed(good) + " it is right.";
-  return "With " + listed(bad) + " it is wrong" +
-         (good.empty() ? "." : ", with " + listed(good) + " it is right.");
+  if (bad.empty()) return "With " + in_a_list(good) + " it is right.";
+  return "With " + in_a_list(bad) + " it is wrong" +
+         (good.empty() ? "." : ", with " + in_a_list(good) + " it is right.");
 }
 
 /// All that is sure, in two or three sentences; empty if nothing is. `right`

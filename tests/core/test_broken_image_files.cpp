@@ -3,13 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#ifndef _WIN32
-#include <sys/resource.h>
-
-#include <csignal>
-#endif
 
 #include "common/image/image_file.hpp"
+#include "tests/core/full_disk.hpp"
 #include "tests/core/largest_allocation.hpp"
 #include "tests/core/picture.hpp"
 #include "tests/core/temporary_folder.hpp"
@@ -17,33 +13,6 @@
 using namespace lightwalk;
 using namespace lightwalk::tests;
 namespace fs = std::filesystem;
-
-#ifndef _WIN32
-namespace {
-
-/// While it lives, no file of this program grows beyond some bytes.
-class FullDisk {
- public:
-  explicit FullDisk(std::size_t bytes) : handler_(signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    signal(SIGXFSZ, handler_);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
-
-}  // namespace
-#endif
 
 TEST_CASE("files that are empty, cut off or text are refused with a reason") {
   const TemporaryFolder folder;

@@ -8,7 +8,7 @@
 #include "common/math/random.hpp"
 #include "common/render/film.hpp"
 #include "compare/part_story.hpp"
-#include "temporary_folder.hpp"
+#include "tests/core/temporary_folder.hpp"
 
 using namespace lightwalk;
 

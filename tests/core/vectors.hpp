@@ -11,6 +11,7 @@
 #include "common/geometry/geometry.hpp"
 #include "common/math/random.hpp"
 #include "common/math/vector.hpp"
+#include "support/printing.hpp"
 #include "tests/core/exact_text.hpp"
 
 namespace lightwalk::tests {
@@ -50,13 +51,6 @@ inline Vec3 random_position(Random& random, float size) {
 }  // namespace lightwalk::tests
 
 namespace doctest {
-
-template <>
-struct StringMaker<lightwalk::Vec3> {
-  static String convert(const lightwalk::Vec3& v) {
-    return lightwalk::tests::text(v).c_str();
-  }
-};
 
 template <>
 struct StringMaker<lightwalk::tests::Near> {

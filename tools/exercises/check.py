@@ -82,7 +82,7 @@ def run_suite(stage, tests=()):
     """Runs some of the stage's tests, or all."""
     suffix = ".exe" if os.name == "nt" else ""
     options = [f"-tc={tests_filter(tests)}"] if tests else []
-    return suite.run_by_kinds(BUILD / f"stage{stage}_check{suffix}", *options)
+    return suite.run_by_kinds(BUILD / f"stage{stage}_tests{suffix}", *options)
 
 
 def explained(outcome):
@@ -152,14 +152,14 @@ def explain(one):
 def check(stage):
     """Prints a screenful; True if all is well."""
     header = header_of(stage)
-    if not any(BUILD.glob(f"stage{stage}_check*")):
+    if not any(BUILD.glob(f"stage{stage}_tests*")):
         print(say("The tests are compiled for the first time: a minute or more.") + "\n", flush=True)
     said, made = build(f"stage{stage}_header")
     if not made:
         print(say("The stage does not compile yet. The first error:") + "\n\n" + first_words(said))
         return False
     warnings = first_words(said, 12) if "warning:" in said else ""
-    said, made = build(f"stage{stage}_check")
+    said, made = build(f"stage{stage}_tests")
     if not made:
         print(say("The tests do not compile with this stage: has a name or a type changed?"))
         print("\n" + first_words(said))

@@ -126,7 +126,7 @@ class Student:
 
     def passes(self, stage, tests):
         """Whether the stage's tests with these names pass."""
-        suite = self.build / f"stage{stage}_check"
+        suite = self.build / f"stage{stage}_tests"
         command = [sys.executable, "-m", "tests.runner", suite, f"-tc={tests_filter(tests)}"]
         return self.run(*command).returncode == 0
 
@@ -158,7 +158,7 @@ def prove(student, header, count):
     stage, tasks = stage_of(header), read_sheet(header).tasks
     bodies = {one.number: one.body for one in exercises(header)}
     text = student.header(stage).read_text()
-    student.compile(f"stage{stage}_header", f"stage{stage}", f"stage{stage}_check")
+    student.compile(f"stage{stage}_header", f"stage{stage}", f"stage{stage}_tests")
     said = student.run(sys.executable, "-m", "tools.exercises.check", stage)
     if said.returncode == 0:
         raise Failure(f"stage {stage}: make check passes while everything is open")
@@ -173,7 +173,7 @@ def prove(student, header, count):
         for number in order:
             solved[number] = bodies[number]
             student.put_in(stage, solved, text)
-            student.compile(f"stage{stage}_check")
+            student.compile(f"stage{stage}_tests")
             built += 1
             for other in solved:
                 ready = all(need in solved for need in tasks[other].needs if need in bodies)

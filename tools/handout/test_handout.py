@@ -52,7 +52,7 @@ class Messages(unittest.TestCase):
     def test_only_the_first_failing_test_is_explained(self):
         golden = Test("golden images", "golden images", [("much darker", "")], 1, True)
         mirror = Test("a mirror", "units", [("(0, 0, 3), expected (0, 0, 1)", "a.cpp:53")], 2, True)
-        text = check.explained(Outcome("stage3_check", [golden, mirror]))
+        text = check.explained(Outcome("stage3_tests", [golden, mirror]))
         self.assertEqual(
             text, "  a mirror\n  (a.cpp:53)\n    (0, 0, 3), expected (0, 0, 1)\n    (and 1 more in this test)"
         )
@@ -62,7 +62,7 @@ class Messages(unittest.TestCase):
             "/usr/include/c++/12/optional:477: constexpr _Tp& std::_Optional<_Tp>::_M_get() "
             "[with _Tp = float]: Assertion 'this->_M_is_engaged()' failed.\n"
         )
-        crash = Outcome("stage3_check", printed=assertion, end="crash", why="The tests crashed")
+        crash = Outcome("stage3_tests", printed=assertion, end="crash", why="The tests crashed")
         self.assertEqual(
             check.explained(crash),
             "  optional:477: Assertion 'this->_M_is_engaged()' failed.\n\nThe tests crashed",
@@ -70,7 +70,7 @@ class Messages(unittest.TestCase):
 
     def test_a_sharper_failure_is_explained_before_a_crash(self):
         mirror = Test("a mirror", "units", [("says", "")], 1, True)
-        crash = Outcome("stage3_check", [mirror], end="crash", why="The tests crashed", kind=3)
+        crash = Outcome("stage3_tests", [mirror], end="crash", why="The tests crashed", kind=3)
         self.assertEqual(check.explained(crash), "  a mirror\n    says\n\nThen the tests crashed")
 
     def test_the_compilers_first_error_comes_first(self):
