@@ -264,10 +264,12 @@ HWY_INLINE LobeChoices choose_lobes(const Materials& material,
   const Floats r = scale * refraction;
 
   LobeChoices choice;
+  // Clang 19 never finishes `on & (xi < d + s + r) & !(diffuse | specular)`
+  // for AVX-512: two of its rewrites undo each other. So each mask is made
+  // of comparisons alone.
   choice.diffuse = on & (xi < d);
-  choice.specular = on & (xi < d + s) & !choice.diffuse;
-  choice.refraction =
-      on & (xi < d + s + r) & !(choice.diffuse | choice.specular);
+  choice.specular = on & !(xi < d) & (xi < d + s);
+  choice.refraction = on & !(xi < d + s) & (xi < d + s + r);
   choice.probability =
       select(choice.diffuse, d, select(choice.specular, s, r));
   return choice;
