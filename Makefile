@@ -36,7 +36,7 @@ scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers measured mistakes goldens \
-  signatures mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
+  mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
   format clean check watch hint handout handouts test-fresh setup-handout single-header \
   test-single-header test-windows $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
@@ -81,7 +81,7 @@ To work on it
   make mutants       make every small change to the stages: what do the tests notice?
   make null-test     how often do the goldens reject a right program?
   make fuzz          feed the readers with what nobody would write (SECONDS=60)
-  make goldens, make signatures      remake what renders are compared with
+  make goldens       remake the pictures that renders are compared with
   make bench         measure what everything costs (BASE=old.json compares)
   make bench-peers   time stages 5 and 6 and Mitsuba 3 side by side
   make measured      keep what was measured, for the book
@@ -165,7 +165,6 @@ test-single-header: build
 
 # Remakes the images that the stages are held to: minutes.
 goldens: build
-	@$(compile) make_parts
 	@python3 -m tests.golden.make_goldens
 
 # How often the goldens reject a right program: minutes.
@@ -223,14 +222,8 @@ test-fresh:
 # Half an hour at first; later runs are faster. MUTANTS gives the program's
 # options: MUTANTS="--stage 2".
 mutants: setup $(BUILD)/CMakeCache.txt $(BUILD)/mutants-venv/made
-	@$(compile) test_support test_main image_module
+	@$(compile) test_support test_main image_module $(addsuffix _tests,$(stages))
 	@set -f; $(BUILD)/mutants-venv/bin/python -m tests.mutants.mutants -j $(JOBS) $$MUTANTS
-
-# What the known mistakes look like, so that a failing golden can be told which
-# of them it resembles: minutes.
-signatures: setup $(BUILD)/CMakeCache.txt
-	@$(compile) all
-	@python3 -m tests.mistakes.signatures -j $(JOBS)
 
 # Repetitions, since times scatter: BASE names an earlier bench.json, which
 # Google Benchmark's own compare.py sets beside this one.

@@ -3,17 +3,14 @@
     python3 -m tests.golden.make_goldens [--times 64] [stage4/plastic ...]
 
 Each is rendered by its stage with 64 times the samples of the tests, and a
-seed that no test uses, so that its own error hardly counts. Then the parts
-that a failing golden is explained by (parts/, see compare/parts.hpp).
+seed that no test uses, so that its own error hardly counts.
 """
 
 import argparse
-import subprocess
-import sys
 import tomllib
 from pathlib import Path
 
-from compare.stages import BUILD, SCENES, render
+from compare.stages import SCENES, render
 
 HERE = Path(__file__).resolve().parent
 SEED = 20_000_000
@@ -39,7 +36,6 @@ def main():
             arguments += ["--max-bounces", golden["max_bounces"]]
         print(f"{stage}/{scene}.exr", flush=True)
         render(stage, SCENES / f"{scene}.toml", folder / f"{scene}.exr", "--size", "32x32", *arguments)
-    sys.exit(subprocess.run([BUILD / "make_parts", *options.names]).returncode)
 
 
 if __name__ == "__main__":

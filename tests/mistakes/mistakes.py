@@ -101,11 +101,13 @@ class Suite:
         self.header = next((path for path in stage_headers() if path.parent.name[0] == str(stage)), None)
         if not self.header:
             raise Failure(f"stage {stage} is not in this tree")
-        self.compile = {}
-        for entry in json.loads((BUILD / "compile_commands.json").read_text()):
-            words = shlex.split(entry["command"])
-            if f"{self.target}.dir/" in words[words.index("-o") + 1]:
-                self.compile[Path(entry["file"])] = words
+        commands = json.loads((BUILD / "compile_commands.json").read_text())
+        found = [one for one in commands if f"/{self.target}.dir/" in one["command"] and "/suite" in one["file"]]
+        if len(found) != 1:
+            raise Failure(f"{self.target} is not compiled as one file")
+        self.source = Path(found[0]["file"])
+        self.compile = shlex.split(found[0]["command"])
+        self.folder = Path(found[0]["directory"])
         self.link = self.link_command()
         self.given_key = self.hash_given()
 
@@ -152,72 +154,44 @@ class Suite:
             whole.update(str(path).encode() + path.read_bytes())
         return whole.hexdigest()
 
-    def whole_source(self):
-        """All sources as one, which compiles in half the time.
-
-        What they include comes first, and then each in a namespace of its own,
-        since each has helpers of the same names.
-        """
-        includes, parts = [], []
-        for number, source in enumerate(sorted(self.compile)):
-            for name in re.findall(r"^#include (.*)$", source.read_text(), re.MULTILINE):
-                beside = source.parent / name.strip('"')
-                includes.append(f'"{beside}"' if beside.exists() else name)
-            parts.append(f'namespace source{number} {{\n#include "{source}"\n}}\n')
-        return "".join(f"#include {name}\n" for name in dict.fromkeys(includes)) + "".join(parts)
-
     def key(self, header):
         """Of all that the suite with this header is made from."""
-        whole = hashlib.sha256((self.given_key + header).encode())
-        for source in sorted(self.compile):
-            whole.update(repr(self.compile[source]).encode() + source.read_bytes())
+        whole = hashlib.sha256((self.given_key + header + repr(self.compile)).encode())
+        for source in sorted((ROOT / f"tests/stage{self.stage}").glob("*")):
+            whole.update(source.read_bytes())
         return whole.hexdigest()
 
-    def compile_command(self, source, target, folders):
-        """As the build compiles the suite, but faster."""
-        words = list(next(iter(self.compile.values())))
+    def compile_command(self, target, options):
+        """As the build compiles the suite, with these options first."""
+        words = list(self.compile)
         words[words.index("-o") + 1] = str(target)
-        words[words.index("-c") + 1] = str(source)
         for option in ("-MD", "-MT", "-MF"):
             if option in words:
                 place = words.index(option)
                 del words[place : place + (1 if option == "-MD" else 2)]
-        words = ["-O1" if word in ("-O2", "-O3") else word for word in words if not word.startswith("-W")]
-        return words[:1] + folders + words[1:]
+        return words[:1] + options + words[1:]
+
+    def build(self, folder, options=()):
+        """Builds the suite with the header that is in the folder; returns the
+        program, which is there, too."""
+        target, program = folder / "suite.o", folder / self.target
+        run(self.compile_command(target, [f"-I{folder}", *options]), "does not compile", self.folder)
+        place = self.link.index("-o")
+        run(
+            [*self.link[:place], str(target), "-o", str(program), *self.link[place + 2 :]],
+            "does not link",
+            self.folder,
+        )
+        target.unlink()
+        return program
 
 
-def run(command, what):
+def run(command, what, folder=None):
     """Runs a compiler or linker, whose complaint is the error."""
-    done = subprocess.run(command, capture_output=True, text=True)
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode != 0:
         lines = [line for line in done.stderr.splitlines() if "error" in line]
         raise Failure(f"{what}: {(lines or [done.stderr])[0].strip()}")
-
-
-def precompile(suite, folder):
-    """Compiles once what all sources include and no mistake can change."""
-    key = suite.given_key
-    stamp = folder / "given.key"
-    header = folder / "given.hpp"
-    if stamp.exists() and stamp.read_text() == key:
-        return header
-    folder.mkdir(parents=True, exist_ok=True)
-    source = next(iter(suite.compile))
-    words = suite.compile_command(source, "-", [])
-    includes = ["#include <doctest/doctest.h>\n"]
-    for path in sorted((ROOT / "tests" / "support").glob("*.hpp")):
-        probe = [str(path) if word == str(source) else word for word in words]
-        probe = [word for word in probe if word not in ("-o", "-", "-c")]
-        needs = subprocess.run(probe + ["-MM"], capture_output=True, text=True)
-        if needs.returncode == 0 and "stages/" not in needs.stdout:
-            includes.append(f'#include "{path}"\n')
-    header.write_text("".join(includes))
-    words = suite.compile_command(source, folder / "given.hpp.gch", [])
-    words[words.index("-c") + 1] = str(header)
-    words[words.index("-c") : words.index("-c")] = ["-x", "c++-header"]
-    run(words, "what the suites include does not compile")
-    stamp.write_text(key)
-    return header
 
 
 def changed_header(mistake, suite):
@@ -261,22 +235,15 @@ def run_suite(program, named=""):
     return outcome.caught_by, outcome.end, noted_noise(outcome.notes)
 
 
-def build_with(header, suite, given, folder):
+def build_with(header, suite, folder):
     """The suite's program, in the folder, with this text as its header."""
     overlay = folder / suite.header.relative_to(ROOT)
     overlay.parent.mkdir(parents=True, exist_ok=True)
     overlay.write_text(header)
-    source, target = folder / "suite.cpp", folder / "suite.o"
-    source.write_text(suite.whole_source())
-    run(suite.compile_command(source, target, [f"-I{folder}", "-include", str(given)]), "does not compile")
-    program = folder / suite.target
-    place = suite.link.index("-o")
-    run(suite.link[:place] + [str(target), "-o", str(program)] + suite.link[place + 2 :], "does not link")
-    target.unlink()
-    return program
+    return suite.build(folder)
 
 
-def try_mistake(mistake, suite, given, folder, named_first=False):
+def try_mistake(mistake, suite, folder, named_first=False):
     """Builds and runs a suite with a mistake in its stage's header.
 
     With `named_first` the test that the catalogue names is run alone, and all
@@ -296,7 +263,7 @@ def try_mistake(mistake, suite, given, folder, named_first=False):
             return result
     result = Result(key, [], "", "")
     try:
-        program = build_with(header, suite, given, folder)
+        program = build_with(header, suite, folder)
         if named:
             result.caught, result.end, result.noise = run_suite(program, named)
         if result.caught:
@@ -388,7 +355,6 @@ def main():
         ]
         check_catalogue(chosen)
         suites = {stage: Suite(stage) for stage in sorted({one.stage for one in chosen})}
-        given = {stage: precompile(suite, folder / f"given{stage}") for stage, suite in suites.items()}
     except (Failure, OSError, subprocess.CalledProcessError) as failure:
         sys.exit(f"mistakes: {failure}")
     # Nothing changed must pass, or nothing that follows means anything.
@@ -399,7 +365,7 @@ def main():
     rows, errors = [], 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         results = pool.map(
-            lambda one: try_mistake(one, suites[one.stage], given[one.stage], folder, options.named_first),
+            lambda one: try_mistake(one, suites[one.stage], folder, options.named_first),
             chosen,
         )
         for mistake, result in zip(chosen, results):

@@ -61,7 +61,7 @@ class Outcome:
 
 def include_options(suite):
     """What libclang has to know of how the suite is compiled."""
-    words = next(iter(suite.compile.values()))
+    words = suite.compile
     first = next(place for place, word in enumerate(words) if word.startswith("-"))
     own = subprocess.run(
         [*words[:first], "-print-file-name=include"], check=True, capture_output=True, text=True
@@ -136,13 +136,9 @@ class Stage:
                 for number in bad:
                     self.keep(number, Outcome(self.key, "does not compile"))
                 return program
-        given = catalogue.precompile(self.suite, self.folder / "given")
         overlay = self.folder / self.header.relative_to(ROOT)
         overlay.parent.mkdir(parents=True, exist_ok=True)
-        source, target = self.folder / "suite.cpp", self.folder / "suite.o"
-        source.write_text(self.suite.whole_source())
-        options = [f"-I{self.folder}", "-include", str(given), "-ffp-contract=off"]
-        command = self.suite.compile_command(source, target, options)
+        command = self.suite.compile_command(self.folder / "suite.o", [f"-I{self.folder}"])
         bad = {n for n in self.mutants if self.outcome(n) and self.outcome(n).state == "does not compile"}
         while True:
             chosen = {number: one for number, one in self.mutants.items() if number not in bad}
@@ -154,11 +150,7 @@ class Stage:
             bad |= more
         for number in bad:
             self.keep(number, Outcome(self.key, "does not compile"))
-        catalogue.run(command, "does not compile")
-        place = self.suite.link.index("-o")
-        link = [*self.suite.link[:place], str(target), "-o", str(program), *self.suite.link[place + 2 :]]
-        catalogue.run(link, "does not link")
-        target.unlink()
+        self.suite.build(self.folder)
         stamp.write_text(json.dumps([*made_of, sorted(bad)]))
         return program
 

@@ -3,12 +3,35 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-
-#include "compare/factors.hpp"
+#include <vector>
 
 namespace lightwalk::tests {
 
 namespace {
+
+/// A value with a name: "1/pi".
+struct NamedValue {
+  double value;
+  std::string name;
+};
+
+/// What formulas are made of.
+std::vector<NamedValue> usual_factors() {
+  constexpr double circle = 3.14159265358979;
+  std::vector<NamedValue> values;
+  const auto both = [&](double value, const std::string& name,
+                        const std::string& inverse) {
+    values.push_back({value, name});
+    values.push_back({1 / value, inverse});
+  };
+  both(circle, "pi", "1/pi");
+  both(2 * circle, "2 pi", "1/(2 pi)");
+  both(4 * circle, "4 pi", "1/(4 pi)");
+  both(circle * circle, "pi^2", "1/pi^2");
+  both(2, "2", "1/2");
+  both(4, "4", "1/4");
+  return values;
+}
 
 std::string formatted(const char* format, double number) {
   char text[64];

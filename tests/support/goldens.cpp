@@ -8,7 +8,6 @@
 
 #include "common/image/image_file.hpp"
 #include "common/scene_file/scene_file.hpp"
-#include "compare/diagnosis.hpp"
 #include "compare/verdict.hpp"
 
 namespace lightwalk::tests {
@@ -116,78 +115,15 @@ std::string broken_outright(const RenderResult& result) {
   return "";
 }
 
-/// Where tests/mistakes/signatures.py asks for it, what a known mistake looks
-/// like.
-static void write_signature(int stage, const Golden& golden,
-                            const Comparison& comparison,
-                            const std::string& wrong) {
-  const char* name = std::getenv("LIGHTWALK_SIGNATURE");
-  if (!name) return;
-  Signature signature = signature_of(comparison.test, name);
-  signature.wrong_parts = wrong;
-  std::ofstream file(signature_path(".", stage, golden.name));
-  file << signature_line(signature) << '\n';
-}
-
-/// What the catalogue says of a mistake; empty where there is none.
-static std::string sentence_of(int stage, const std::string& mistake) {
-  try {
-    const toml::table catalogue = toml::parse_file(
-        std::string(folder) + "/../mistakes/" + stage_name(stage) + ".toml");
-    for (const toml::node& node : *catalogue["mistake"].as_array()) {
-      const toml::table& entry = *node.as_table();
-      if (entry["name"].value<std::string>() == mistake) {
-        return entry["sentence"].value_or(std::string());
-      }
-    }
-  } catch (const toml::parse_error&) {
-    // Nothing can be said without it.
-  }
-  return "";
-}
-
-/// The known mistakes that make the same picture.
-static std::string known_in_words(int stage,
-                                  const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    const std::string sentence = sentence_of(stage, name);
-    if (sentence.empty()) continue;
-    text += (text.empty() ? "This known mistake makes the same picture, as "
-                            "others may: "
-                          : " And this: ") +
-            ("\"" + sentence + "\" (" + name + ")");
-  }
-  return text;
-}
-
 std::string explain(int stage, const Golden& golden,
-                    const Comparison& comparison, const Painter& paint) {
-  const Bands bands;
+                    const Comparison& comparison) {
   const Image& image = golden.image.radiance;
-  const std::string where = describe(
-      comparison.again, comparison.confirmed, bands, image.width,
-      image.height,
-      [&](const Region& region) { return seen_in(golden.loaded, region); });
-  std::vector<Part> right =
-      load_parts(part_path(stage, golden.name), golden.loaded.sha256);
-  const std::vector<PartVerdict> verdicts = judge_parts(golden, right, paint);
-  const std::string wrong = right.empty() ? "" : wrong_parts(verdicts);
-  write_signature(stage, golden, comparison, wrong);
-  right.push_back(part_of(golden.image, "all"));
-  // The cause comes before the places where it shows.
   std::string text =
-      "golden image " + golden.name + " of " + stage_name(stage) + ":";
-  for (const std::string& one :
-       {tell_parts(verdicts, right, view_of(golden)),
-        known_in_words(
-            stage, known_mistakes(
-                       comparison.test, golden.image, wrong,
-                       load_signatures(std::string(folder) + "/signatures",
-                                       stage, golden.name))),
-        where}) {
-    if (!one.empty()) text += "\n" + one;
-  }
+      "golden image " + golden.name + " of " + stage_name(stage) + ":\n" +
+      describe(comparison.again, comparison.confirmed, Bands{}, image.width,
+               image.height, [&](const Region& region) {
+                 return seen_in(golden.loaded, region);
+               });
   const std::filesystem::path report = "golden_failures";
   std::error_code ignored;
   std::filesystem::create_directories(report, ignored);

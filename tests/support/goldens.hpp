@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "common/scene_file/loaded_scene.hpp"
 #include "support/comparisons.hpp"
-#include "support/golden_parts.hpp"
 
 namespace lightwalk::tests {
 
@@ -31,11 +31,10 @@ Golden load_golden(int stage, const std::string& name);
 /// What is to be seen in most of a region: "the sphere of 'glass'".
 std::string seen_in(const LoadedScene& loaded, const Region& region);
 
-/// A failed comparison in words: what differs, where, by how much, which
-/// parts of the picture are wrong by themselves, and which known mistakes it
-/// looks like. Writes the pictures beside each other.
+/// A failed comparison in words: what differs, where, and by how much. Writes
+/// the pictures beside each other.
 std::string explain(int stage, const Golden& golden,
-                    const Comparison& comparison, const Painter& paint);
+                    const Comparison& comparison);
 
 /// From here on a picture has so much noise that nobody can say whether it is
 /// right: as a variance, over the golden's.
@@ -57,10 +56,6 @@ void check_golden(int stage, const std::string& name) {
   const double noise = variance_ratio(comparison.test, golden.image);
   const bool same = broken.empty() && comparison.same() && noise < most_noise;
   if (!same) {
-    const Painter painter = [](const Scene& scene,
-                               const RenderSettings& settings) {
-      return paint<PathTracer>(scene, settings);
-    };
     const std::string why =
         !broken.empty() ? broken
         : comparison.same()
@@ -70,7 +65,7 @@ void check_golden(int stage, const std::string& name) {
                   (noise < 1e6 ? std::to_string(std::llround(noise))
                                : std::string("more than a million")) +
                   " times the golden's"
-            : explain(stage, golden, comparison, painter);
+            : explain(stage, golden, comparison);
     FAIL_CHECK(why);
   }
   if (same && (noise > 1.5 || noise < 0.6)) {

@@ -35,10 +35,10 @@ def exercise_of(mistake, suite):
     return None
 
 
-def first_failing(mistake, suite, given, tasks, folder):
+def first_failing(mistake, suite, tasks, folder):
     """The number of the first exercise whose tests fail, or None."""
     folder = folder / f"stage{mistake.stage}" / mistake.name
-    program = catalogue.build_with(catalogue.changed_header(mistake, suite), suite, given, folder)
+    program = catalogue.build_with(catalogue.changed_header(mistake, suite), suite, folder)
     try:
         asked = [(number, task.tests) for number, task in tasks.items()]
         asked += [(number, task.later) for number, task in tasks.items() if task.later]
@@ -56,12 +56,11 @@ def judged(stage, jobs):
     suite = catalogue.Suite(stage)
     tasks = read_sheet(suite.header).tasks
     folder = BUILD / "mistakes" / "exercises"
-    given = catalogue.precompile(suite, folder / f"given{stage}")
     path = catalogue.CATALOGUE / f"stage{stage}.toml"
     asked = [(one, exercise_of(one, suite)) for one in catalogue.read_mistakes(path) if one.verdict == "fail"]
     asked = [(one, number) for one, number in asked if number]
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        found = pool.map(lambda pair: first_failing(pair[0], suite, given, tasks, folder), asked)
+        found = pool.map(lambda pair: first_failing(pair[0], suite, tasks, folder), asked)
         for (mistake, number), named in zip(asked, found):
             print(f"{number}: {mistake.name}: {named or 'NOT FOUND'}", flush=True)
             yield mistake, number, named
