@@ -2,6 +2,7 @@
 
 // The [materials] of a scene file, with their patterns and textures.
 
+#include <array>
 #include <functional>
 #include <map>
 #include <string>
@@ -156,7 +157,8 @@ class MaterialReader {
     const std::string over = options.string("over");
     if (over != "uv" && over != "position") {
       fail_at(options.at("over"),
-              options.label("over") + " must be \"uv\" or \"position\"");
+              options.label("over") + ": " +
+                  none_of(over, std::array{"uv", "position"}));
     }
     if (over == "position") pattern.type = VaryingType::position_checker;
   }

@@ -4,9 +4,12 @@
 // in which line and column, and what was expected. The format is described in
 // scenes/README.md and, for editors, in scenes/scene.schema.json.
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include "common/image/file_bytes.hpp"
 #include "common/image/file_path.hpp"
@@ -125,6 +128,32 @@ class SceneReader {
   ShapeReader shapes_;
 };
 
+/// ", did you mean 'scenes/glass.toml'?" for the scene file whose name is
+/// nearest, in the folder that was named or in the folder scenes.
+inline std::string scene_suggestion(const std::string& path) {
+  namespace fs = std::filesystem;
+  const fs::path wanted = file_path(path), here = wanted.parent_path();
+  for (const fs::path& folder : {here, here / "scenes", fs::path("scenes")}) {
+    std::vector<std::string> names;
+    std::error_code error;
+    fs::directory_iterator file(folder.empty() ? "." : folder, error);
+    for (; !error && file != fs::directory_iterator();
+         file.increment(error)) {
+      std::error_code ignored;
+      if (file->path().extension() == ".toml" &&
+          file->is_regular_file(ignored)) {
+        names.push_back(name_of(file->path().stem()));
+      }
+    }
+    std::sort(names.begin(), names.end());  // they come in any order
+    const std::string best = nearest(name_of(wanted.stem()), names);
+    if (best.empty()) continue;
+    return ", did you mean '" + name_of(folder / file_path(best + ".toml")) +
+           "'?";
+  }
+  return "";
+}
+
 /// More bytes than any scene has: two million triangles. A wrong file must
 /// not fill the memory.
 inline constexpr std::uintmax_t most_scene_bytes = 1 << 28;
@@ -137,7 +166,9 @@ inline std::string read_scene_text(const std::string& path) {
   const auto fail = [&](const std::string& why) {
     throw SceneError((path.empty() ? "''" : path) + ": " + why);
   };
-  if (!fs::exists(status)) fail("there is no such scene file");
+  if (!fs::exists(status)) {
+    fail("there is no such scene file" + scene_suggestion(path));
+  }
   if (fs::is_directory(status)) fail("is a folder, not a scene file");
   if (!fs::is_regular_file(status)) fail("is not a regular file");
   const std::uintmax_t size = fs::file_size(file_path(path), error);

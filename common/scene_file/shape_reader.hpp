@@ -46,9 +46,7 @@ class ShapeReader {
     if (name == "rectangle") return read_rectangle(node);
     if (name == "triangle") return read_triangle(node);
     const char* types[] = {"plane", "sphere", "rectangle", "triangle"};
-    fail_at(*type, "unknown shape " + in_quotes(name) +
-                       suggestion(name, types) +
-                       " (plane, sphere, rectangle, triangle)");
+    fail_at(*type, "'type' of a shape: " + none_of(name, types));
   }
 
  private:

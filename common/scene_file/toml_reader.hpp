@@ -18,6 +18,7 @@
 
 #include "common/math/vector.hpp"
 #include "common/scene_file/message_text.hpp"
+#include "common/scene_file/suggestion.hpp"
 
 namespace lightwalk {
 
@@ -26,11 +27,6 @@ namespace lightwalk {
 struct SceneError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-/// A name from the file as messages show it.
-inline std::string in_quotes(std::string_view name) {
-  return '\'' + shortened(name, 60) + '\'';
-}
 
 [[noreturn]] inline void fail_at(const toml::source_region& place,
                                  const std::string& message) {
@@ -43,38 +39,6 @@ inline std::string in_quotes(std::string_view name) {
 [[noreturn]] inline void fail_at(const toml::node& node,
                                  const std::string& message) {
   fail_at(node.source(), message);
-}
-
-/// How many letters must be put in, taken out or replaced to make b of a.
-inline std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// ", did you mean 'x'?" for the nearest of the names, if one is near.
-template <class Names>
-std::string suggestion(std::string_view word, const Names& names) {
-  if (word.size() > 40) return "";
-  std::string best;
-  std::size_t fewest = std::max<std::size_t>(word.size() / 2, 1) + 1;
-  for (const auto& name : names) {
-    const std::size_t edits = edit_distance(word, name);
-    if (edits < fewest) {
-      fewest = edits;
-      best = name;
-    }
-  }
-  return best.empty() ? "" : ", did you mean " + in_quotes(best) + "?";
 }
 
 /// More values than any scene has, which take 2.5 GB: a value of two

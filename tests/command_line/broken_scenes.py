@@ -195,6 +195,31 @@ edit(
     "9:1: unknown key 'threads_and_more' in [render]",
 )
 edit(
+    "the option as a key",
+    "samples_per_pixel = 1",
+    "spp = 1",
+    "9:1: unknown key 'spp' in [render], did you mean 'samples_per_pixel'?",
+)
+edit(
+    "the depth of other renderers",
+    "max_bounces = 2",
+    "max_depth = 2",
+    "10:1: unknown key 'max_depth' in [render], did you mean 'max_bounces'?",
+)
+edit(
+    "the size of other renderers",
+    "size = [4, 4]",
+    "resolution = [4, 4]",
+    "6:1: unknown key 'resolution' in [camera], did you mean 'size'?",
+)
+edit(
+    "the position of other renderers",
+    "center =",
+    "position =",
+    "24:1: unknown key 'position' in a sphere, did you mean 'center'?",
+)
+edit("an empty key", "radius = 0.3", '"" = 0.3', "25:1: unknown key '' in a sphere")
+edit(
     "an unknown table",
     "[render]",
     "[renders]",
@@ -304,13 +329,7 @@ edit(
     "an unknown shape",
     '"sphere"',
     '"shpere"',
-    "23:8: unknown shape 'shpere', did you mean 'sphere'? (plane, sphere, rectangle, triangle)",
-)
-edit(
-    "a shape far from all",
-    '"sphere"',
-    '"torus knot"',
-    "23:8: unknown shape 'torus knot' (plane, sphere, rectangle, triangle)",
+    "23:8: 'type' of a shape: 'shpere' is none of plane, sphere, rectangle, triangle",
 )
 light(
     "an unknown light",
@@ -571,6 +590,16 @@ edit(
     "20:12: there is no material 'whit', did you mean 'white'?",
     CANNOT_SEE,
 )
+broken(
+    "a material with two letters swapped",
+    with_instead(
+        'distance = 1\nmaterial = "white"',
+        'distance = 1\nmaterial = "rde"',
+        with_instead("lamp =", "red = { kd = 0.5 }\nlamp ="),
+    ),
+    "21:12: there is no material 'rde', did you mean 'red'?",
+    CANNOT_SEE,
+)
 edit(
     "no materials",
     GOOD[GOOD.index("[materials]") : GOOD.index("[[shapes]]")],
@@ -638,19 +667,19 @@ edit(
     "line breaks in a type",
     '"sphere"',
     r'"a\n\r\tb"',
-    "23:8: unknown shape 'a   b' (plane, sphere, rectangle, triangle)",
+    "23:8: 'type' of a shape: 'a   b' is none of plane, sphere, rectangle, triangle",
 )
 edit(
     "a command to the terminal",
     '"sphere"',
     r'"\u001b[2J\u007f\u0085\u009b2J"',
-    "23:8: unknown shape ' [2J     2J' (plane, sphere, rectangle, triangle)",
+    "23:8: 'type' of a shape: ' [2J     2J' is none of plane, sphere, rectangle, triangle",
 )
 edit(
     "a zero in a type",
     '"sphere"',
     r'"sphere\u0000"',
-    "23:8: unknown shape 'sphere ', did you mean 'sphere'? (plane, sphere, rectangle, triangle)",
+    "23:8: 'type' of a shape: 'sphere ' is none of plane, sphere, rectangle, triangle",
 )
 edit(
     "a line break in a material's name",
@@ -669,5 +698,5 @@ edit(
     "a text as a type",
     '"sphere"',
     '"""\n' + 1000 * "ö" + '"""',
-    "23:8: unknown shape '" + 30 * "ö" + "...' (plane, sphere, rectangle, triangle)",
+    "23:8: 'type' of a shape: '" + 30 * "ö" + "...' is none of plane, sphere, rectangle, triangle",
 )

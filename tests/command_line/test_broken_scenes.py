@@ -47,6 +47,25 @@ class NoSceneFile(InFolder):
     def test_a_file_that_is_not_there(self):
         self.check("no.toml", "no.toml: there is no such scene file")
 
+    def test_a_scene_of_a_similar_name(self):
+        (self.folder / "scenes").mkdir()
+        for name in ["box.toml", "glass.toml", "scenes/cube.toml", "scenes/mirror.toml"]:
+            (self.folder / name).touch()
+        (self.folder / "boxes.toml").mkdir()
+        for typed, meant in [
+            ("bxo.toml", "box.toml"),
+            ("./glas.toml", "./glass.toml"),
+            ("box", "box.toml"),
+            ("boxes", "box.toml"),
+            ("mirrors.toml", "scenes/mirror.toml"),
+            ("scenes/mirro.toml", "scenes/mirror.toml"),
+            ("scene/cube.toml", "scenes/cube.toml"),
+            (f"{self.folder}/mirro.toml", f"{self.folder}/scenes/mirror.toml"),
+        ]:
+            with self.subTest(typed):
+                self.check(typed, f"{typed}: there is no such scene file, did you mean '{meant}'?")
+        self.check("sunset.toml", "sunset.toml: there is no such scene file")
+
     def test_a_name_that_is_empty(self):
         self.check("", "'': there is no such scene file")
 
