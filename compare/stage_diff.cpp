@@ -4,11 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string>
 
 #include "common/image/image_file.hpp"
+#include "common/program/command_line.hpp"
 #include "common/program/signals.hpp"
 #include "common/scene_file/message_text.hpp"
 #include "compare/claims.hpp"
@@ -309,31 +312,33 @@ int compare(const std::string& a_path, const std::string& b_path,
 int main(int argc, char** argv) {
   std::string a, b, picture;
   bool json = false, other_seeds = false;
+  const std::string program = "stage-diff";
+  const std::string example = "build/stage-diff a.exr b.exr -o diff.png";
   CLI::App app("Are two renders the same picture, but for their noise?",
-               "stage-diff");
+               program);
+  app.formatter(std::make_shared<HelpText>(example, "A B [OPTION]..."));
   app.allow_windows_style_options(false);  // /home/ana/a.exr is a file
-  app.add_option("A", a, "Image (.exr, .pfm or .ppm)")->required();
-  app.add_option("B", b, "Image to compare with, the reference")->required();
+  app.add_option("A", a, "Image (.exr, .pfm or .ppm)");
+  app.add_option("B", b, "Image to compare with, the reference");
   app.add_option("-o,--output", picture,
                  "One picture of both, their difference and z (.png)")
-      ->check([](const std::string& path) {
-        return ending(path) == ".png" ? std::string()
-                                      : "'" + path + "' does not end in .png";
-      });
+      ->type_name("IMAGE")
+      ->check(named_with("images", std::array{".png"}));
   app.add_flag("--json", json, "Print the figures as JSON");
   app.add_flag("--other-seeds", other_seeds,
                "Refuse the same bits: A and B had different seeds");
-  app.set_version_flag("--version",
-                       "stage-diff (Lightwalk) " LIGHTWALK_VERSION);
+  add_help_and_version(app, LIGHTWALK_VERSION);
   app.footer("Exit codes: 0 the same, 1 different, 2 cannot compare.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "stage-diff: %s (stage-diff --help says more)\n",
-                 one_line(error.what()).c_str());
-    return 2;
+    return wrong_usage(program, what_is_wrong(app, error));
+  }
+  if (app.count("B") == 0) {
+    return wrong_usage(program,
+                       "two images are required, as in '" + example + "'");
   }
   catch_ending_signals(end_by_signal);
   try {

@@ -31,11 +31,9 @@ inline std::string ending(const std::string& path) {
   return text;
 }
 
-inline bool is_image_ending(const std::string& text) {
-  constexpr std::array<std::string_view, 4> known = {".exr", ".pfm", ".ppm",
-                                                     ".png"};
-  return std::find(known.begin(), known.end(), text) != known.end();
-}
+/// The endings of the images that can be written.
+inline constexpr std::array<std::string_view, 4> image_endings = {
+    ".exr", ".pfm", ".ppm", ".png"};
 
 /// The image library; an ImageError where it cannot be loaded. `format` is an
 /// ending such as ".exr".

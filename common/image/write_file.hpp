@@ -139,8 +139,13 @@ class UnfinishedFile {
       return open(name_.c_str(),
                   O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
     });
-    if (descriptor < 0) unfinished_file = nullptr;
-    return descriptor;
+    if (descriptor >= 0) return descriptor;
+    const int error = errno;
+    unfinished_file = nullptr;
+    const auto folder = file_path(name_).parent_path();
+    throw ImageError("no file can be made in '" +
+                     (folder.empty() ? "." : name_of(folder)) +
+                     "': " + std::generic_category().message(error));
   }
 
   /// Takes over who may read the old file, as far as the system lets us.

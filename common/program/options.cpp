@@ -2,13 +2,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdio>
 #include <limits>
+#include <memory>
+#include <string_view>
 #include <utility>
 
-#include "common/image/image_file.hpp"
-#include "common/scene_file/message_text.hpp"
+#include "common/program/command_line.hpp"
+#include "common/scene/camera.hpp"
+#include "common/scene_file/suggestion.hpp"
 
 namespace lightwalk {
 
@@ -52,18 +56,19 @@ std::optional<PixelSample> pixel_of(const std::string& text) {
   return PixelSample{numbers->first, numbers->second};
 }
 
-/// An option whose text `parse` turns into its value, or into none where the
-/// text is not `what` is expected.
+/// An option whose text `parse` turns into its value, or into none where
+/// `complaint`, such as "is not a number", is to be said of it.
 template <class Value, class Parse>
 CLI::Option* add_parsed(CLI::App& app, const std::string& name,
                         std::optional<Value>& value, Parse parse,
-                        const std::string& what, const std::string& help) {
+                        const std::string& complaint,
+                        const std::string& help) {
   return app.add_option_function<std::string>(
       name,
       [=, &value](const std::string& text) {
         value = parse(text);
         if (!value) {
-          throw CLI::ValidationError(name, "'" + text + "' is not " + what);
+          throw CLI::ValidationError(name, in_quotes(text) + complaint);
         }
       },
       help);
@@ -81,148 +86,198 @@ CLI::Option* add_whole(CLI::App& app, const std::string& name,
                                                          : std::nullopt;
   };
   return add_parsed(app, name, value, parse,
-                    "a whole number from " + std::to_string(least) + " to " +
-                        std::to_string(most),
+                    " is not a whole number from " + std::to_string(least) +
+                        " to " + std::to_string(most),
                     help)
       ->type_name("N");
 }
 
-/// An option that takes one of these names, and stands for what they name.
-template <class Value>
-void choose_among(CLI::Option* option,
-                  std::vector<std::pair<std::string, Value>> names) {
-  // CLI::CheckedTransformer would also take the numbers behind the names.
-  option->transform(CLI::Transformer(names).description(""))
-      ->transform(CLI::IsMember(std::move(names)));
+/// What a default is in --help.
+std::string shown(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", number);
+  return text;
 }
 
-const CLI::Validator is_number(
-    [](const std::string& text) {
-      // CLI::Range lets "nan" through: it is neither below nor above. And
-      // CLI11 reads "0x2", "1_0" and "1'0".
-      return text.find_first_not_of("0123456789+-.eE") != std::string::npos
-                 ? "'" + text + "' is not a number"
-                 : std::string();
-    },
-    "");
+/// An option that takes a number within bounds.
+CLI::Option* add_number(CLI::App& app, const std::string& name,
+                        std::optional<float>& value, double least,
+                        double most, const std::string& help) {
+  const auto parse = [=](const std::string& text) -> std::optional<float> {
+    // CLI11 reads "0x2", "1_0", "1'0" and "nan", too.
+    const bool plain =
+        text.find_first_not_of("0123456789+-.eE") == std::string::npos;
+    double number = 0;
+    if (!plain || !CLI::detail::lexical_cast(text, number) ||
+        !(number >= least && number <= most)) {
+      return std::nullopt;
+    }
+    return static_cast<float>(number);
+  };
+  return add_parsed(
+      app, name, value, parse,
+      " is not a number from " + shown(least) + " to " + shown(most), help);
+}
+
+constexpr std::array<std::string_view, 2> sampling_names = {"cosine",
+                                                            "uniform"};
+constexpr std::array<std::string_view, 4> step_names = {"clamp", "equalize",
+                                                        "gamma", "reinhard"};
+
+/// The value of an enumeration that has this name, in the order of the names.
+template <class Value, class Names>
+std::optional<Value> named(const std::string& text, const Names& names) {
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Value>(found - names.begin());
+}
 
 /// The options beside the scene that say what is rendered.
-void add_render_options(CLI::App& app, int most_bounces, Options& options) {
+void add_render_options(CLI::App& app, const CommandLine& expected,
+                        Options& options) {
+  const RenderSettings defaults;
+  const Camera camera;
+  const std::string or_scene = "scene's, or ";
   add_whole(app, "--spp", options.samples_per_pixel, 1, 1'000'000'000,
-            "Samples per pixel [scene's, or 64]");
-  add_whole(app, "--max-bounces", options.max_bounces, 0, most_bounces,
-            "Longest path, in bounces");
+            "Samples per pixel")
+      ->default_str(or_scene + std::to_string(defaults.samples_per_pixel));
+  add_whole(app, "--max-bounces", options.max_bounces, 0,
+            expected.most_bounces, "Longest path, in bounces")
+      ->default_str(or_scene + std::to_string(expected.default_bounces));
   add_whole(app, "--seed", options.seed, std::uint64_t{0},
             std::numeric_limits<std::uint64_t>::max(),
-            "Another seed gives other noise [1]");
+            "Another seed gives other noise")
+      ->default_str(std::to_string(defaults.seed));
   add_whole(app, "--threads", options.threads, 0, 1024,
-            "Threads; 0 takes as many as the machine has [0]");
+            "0 takes as many as the machine has")
+      ->default_str(std::to_string(defaults.threads));
   add_parsed(app, "--size", options.size, size_of,
-             "a size like 128x128, each from 1 to 65536",
-             "Columns x rows, like 128x128 [scene's]")
-      ->type_name("WxH");
-  choose_among<Sampling>(
-      app.add_option("--sampling", options.sampling,
-                     "How diffuse directions are drawn: cosine or uniform "
-                     "[cosine]"),
-      {{"cosine", Sampling::cosine}, {"uniform", Sampling::uniform}});
+             " is not a size like 128x128, each from 1 to 65536",
+             "Columns x rows, like 128x128")
+      ->type_name("WxH")
+      ->default_str(or_scene + std::to_string(camera.width) + 'x' +
+                    std::to_string(camera.height));
+  add_parsed(
+      app, "--sampling", options.sampling,
+      [](const std::string& text) {
+        return named<Sampling>(text, sampling_names);
+      },
+      " is none of " + listed(sampling_names),
+      "How diffuse directions are drawn: " + listed(sampling_names))
+      ->type_name("HOW")
+      ->default_str(std::string(
+          sampling_names[static_cast<std::size_t>(defaults.sampling)]));
 }
 
 /// The options for .png, but for what only all of them together mean.
 void add_tone_options(CLI::App& app, std::vector<ToneStep>& steps,
-                      std::optional<float>& gamma, float& exposure) {
-  choose_among<ToneStep>(
-      app.add_option("--tone-map", steps,
-                     "For .png, steps in order, like --tone-map clamp,gamma: "
-                     "clamp, equalize, gamma, reinhard [equalize,gamma]")
-          ->delimiter(',')
-          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-          ->allow_extra_args(false),
-      {{"clamp", ToneStep::clamp},
-       {"equalize", ToneStep::equalize},
-       {"gamma", ToneStep::gamma},
-       {"reinhard", ToneStep::reinhard}});
-  app.add_option("--gamma", gamma,
-                 "For .png: exponent of the gamma step, "
-                 "which it adds where there is none [2.2]")
-      ->check(is_number)
-      ->check(CLI::Range(0.1, 10.0));
-  app.add_option("--exposure", exposure,
-                 "For .png, in stops: times 2^exposure before the steps [0]")
-      ->check(is_number)
-      ->check(CLI::Range(-40.0, 40.0));
+                      std::optional<float>& gamma,
+                      std::optional<float>& exposure) {
+  const ToneMapping defaults;
+  std::string default_steps;
+  for (const ToneStep step : defaults.steps) {
+    default_steps += default_steps.empty() ? "" : ",";
+    default_steps += step_names[static_cast<std::size_t>(step)];
+  }
+  const std::string name = "--tone-map";
+  app.add_option_function<std::vector<std::string>>(
+         name,
+         [=, &steps](const std::vector<std::string>& words) {
+           for (const std::string& word : words) {
+             const auto step = named<ToneStep>(word, step_names);
+             if (!step) {
+               throw CLI::ValidationError(name, none_of(word, step_names));
+             }
+             steps.push_back(*step);
+           }
+         },
+         "For .png: steps in order, out of " + listed(step_names))
+      ->delimiter(',')
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
+      ->type_name("STEPS")
+      ->default_str(default_steps);
+  add_number(app, "--gamma", gamma, 0.1, 10,
+             "For .png: exponent of the gamma step, which it adds where "
+             "there is none")
+      ->type_name("X")
+      ->default_str(shown(defaults.gamma));
+  add_number(app, "--exposure", exposure, -40, 40,
+             "For .png, in stops: times 2^exposure before the steps")
+      ->type_name("X")
+      ->default_str(shown(defaults.exposure));
 }
 
 }  // namespace
-
-int wrong_usage(const std::string& program, const std::string& what) {
-  std::fprintf(stderr, "%s: %s (%s --help lists the options)\n",
-               program.c_str(), one_line(what).c_str(), program.c_str());
-  return 2;
-}
 
 std::optional<int> parse_options(int argc, char** argv,
                                  const CommandLine& expected,
                                  Options& options) {
   const std::string& program = expected.program;
+  const std::string example =
+      "build/" + program +
+      " scenes/cornell_box_ceiling_diffuse.toml -o box.png";
   CLI::App app(expected.description, program);
+  app.formatter(
+      std::make_shared<HelpText>(example, "SCENE -o IMAGE [OPTION]..."));
   app.allow_windows_style_options(false);  // /home/ana/box.toml is a file
   // An option that is given twice counts as it was given last.
   app.option_defaults()->multi_option_policy(
       CLI::MultiOptionPolicy::TakeLast);
-  app.set_version_flag("--version",
-                       program + " (Lightwalk) " + LIGHTWALK_VERSION +
-                           (expected.way.empty() ? "" : ", ") + expected.way);
-  app.add_option("scene", options.scene, "Scene file (.toml)")->required();
+  app.add_option("SCENE", options.scene, "Scene file (.toml)");
   app.add_option("-o,--output", options.outputs,
                  "Image to write: .exr or .pfm (linear radiance), .ppm (the "
                  "course's P3 with #MAX), .png (tone mapped); may be given "
                  "several times")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)
-      ->check([](const std::string& path) {
-        return is_image_ending(ending(path))
-                   ? std::string()
-                   : "'" + path + "' ends in none of .exr, .pfm, .ppm, .png";
-      });
+      ->type_name("IMAGE")
+      ->check(named_with("images", image_endings));
   app.add_option("--report", options.report,
                  "What was rendered and how fast, for programs (.json)")
       ->type_name("FILE")
-      ->check([](const std::string& path) {
-        return ending(path) == ".json" ? std::string()
-                                       : "'" + path + "' is not a .json";
-      });
-  add_render_options(app, expected.most_bounces, options);
+      ->check(named_with("reports", std::array{".json"}));
+  add_render_options(app, expected, options);
   CLI::Option* const pixel =
       add_parsed(app, "--pixel", options.pixel, pixel_of,
-                 "a pixel like 120,80, from 0,0 on",
+                 " is not a pixel like 120,80, from 0,0 on",
                  "Tell one path of the pixel at column X, row Y, vertex by "
                  "vertex; no image is written")
           ->type_name("X,Y");
   std::optional<std::uint32_t> sample;
   add_whole(app, "--sample", sample, 0u, 999'999'999u,
-            "Which of the pixel's paths [0]")
-      ->needs(pixel);
+            "Which of the pixel's paths")
+      ->needs(pixel)
+      ->default_str("0");
   std::vector<ToneStep> steps;
-  std::optional<float> gamma;
-  ToneMapping& mapping = options.tone_mapping;
-  add_tone_options(app, steps, gamma, mapping.exposure);
+  std::optional<float> gamma, exposure;
+  add_tone_options(app, steps, gamma, exposure);
   app.add_flag("-q,--quiet", options.quiet, "Say nothing but errors");
+  add_help_and_version(
+      app,
+      LIGHTWALK_VERSION + (expected.way.empty() ? "" : ", " + expected.way));
   app.footer(
       "Ctrl-C writes what was rendered so far; an old picture is kept until "
-      "each pixel has a sample.\n"
+      "each pixel has a sample. "
       "Exit codes: 0 done, 1 could not, 2 wrong usage, 130 interrupted.");
 
   try {
     app.parse(argc, argv);
-    if (options.outputs.empty() && !options.report && !options.pixel) {
-      throw CLI::RequiredError("--output");
-    }
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    return wrong_usage(program, error.what());
+    return wrong_usage(program, what_is_wrong(app, error));
   }
+  const auto required = [&](const std::string& what) {
+    return wrong_usage(program,
+                       what + " is required, as in '" + example + "'");
+  };
+  if (app.count("SCENE") == 0) return required("a scene");
+  if (options.outputs.empty() && !options.report && !options.pixel) {
+    return required("--output");
+  }
+  ToneMapping& mapping = options.tone_mapping;
+  mapping.exposure = exposure.value_or(mapping.exposure);
   if (options.pixel) options.pixel->sample = sample.value_or(0);
   if (!steps.empty()) mapping.steps = steps;
   if (gamma) {

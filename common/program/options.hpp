@@ -38,10 +38,8 @@ struct CommandLine {
   std::string description;  ///< one line for --help
   std::string way;          ///< what --version says besides; may be empty
   int most_bounces;
+  int default_bounces = bounce_cap;
 };
-
-/// Says on stderr what is wrong with the command line; returns exit code 2.
-int wrong_usage(const std::string& program, const std::string& what);
 
 /// Reads the command line into `options`. Returns the exit code where there
 /// is nothing to render: 0 after --help or --version, 2 after wrong usage.

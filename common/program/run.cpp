@@ -8,6 +8,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "common/program/command_line.hpp"
 #include "common/program/console.hpp"
 #include "common/program/cost_warning.hpp"
 #include "common/program/memory.hpp"
@@ -240,7 +241,8 @@ int run(int argc, char** argv, const Program& program,
   const CommandLine expected{.program = program.name,
                              .description = program.description,
                              .way = program.way,
-                             .most_bounces = program.most_bounces};
+                             .most_bounces = program.most_bounces,
+                             .default_bounces = program.default_bounces};
   if (const auto code = parse_options(argc, argv, expected, options)) {
     return *code;
   }

@@ -130,7 +130,7 @@ class Reports(Programs):
         for name in ["report", "a.pfm", "json", ".json"]:
             result = run("stage1", BOX, "--report", name, folder=self.folder)
             self.assertEqual(result.returncode, 2)
-            self.assertIn(f"'{name}' is not a .json", result.stderr)
+            self.assertIn(f"'{name}' does not end in .json", result.stderr)
 
 
 del Programs, InFolder  # unittest would run the tests that it imports

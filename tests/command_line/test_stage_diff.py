@@ -211,9 +211,22 @@ class StageDiff(programs.InFolder):
         self.check_cannot(png, good, "only .exr, .pfm and .ppm hold radiance")
 
     def test_wrong_usage(self):
-        self.assertEqual(programs.run("stage-diff").returncode, 2)
-        self.assertEqual(self.diff("a.exr", "b.exr", "-o", "x.jpg").returncode, 2)
-        self.assertEqual(programs.run("stage-diff", "--help").returncode, 0)
+        for words, said in [
+            ("", "two images are required, as in 'build/stage-diff a.exr b.exr -o diff.png'"),
+            ("a.exr", "two images are required, as in 'build/stage-diff a.exr b.exr -o diff.png'"),
+            ("a.exr b.exr c.exr", "argument 'c.exr' was not expected after 'b.exr'"),
+            ("--jsno a.exr b.exr", "unknown option '--jsno', did you mean '--json'?"),
+            ("a.exr b.exr -o x.jpg", "--output: 'x.jpg' does not end in .png"),
+            ("a.exr b.exr -o -", "--output: '-' is no name: images are written by name, like box.png"),
+        ]:
+            with self.subTest(words):
+                result = programs.run("stage-diff", *words.split())
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                self.assertEqual(result.stderr, f"stage-diff: {said} (stage-diff --help lists the options)\n")
+        for option in ["--version", "-V"]:
+            result = programs.run("stage-diff", option)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertRegex(result.stdout, r"^stage-diff \(Lightwalk\) \d+\.\d+\.\d+\n$")
 
     def test_the_same_bits_are_called_so(self):
         a, b = self.render("a.exr"), self.render("b.exr")

@@ -3,6 +3,7 @@
 
 #include "common/program/options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -52,7 +53,9 @@ bool within(const std::optional<Number>& value, Number least, Number most) {
 
 void check(const Options& options) {
   for (const std::string& path : options.outputs) {
-    expect(is_image_ending(ending(path)), "an output is an image", path);
+    expect(std::count(image_endings.begin(), image_endings.end(),
+                      ending(path)) == 1,
+           "an output is an image", path);
   }
   expect(!options.outputs.empty() || options.report || options.pixel,
          "something is asked for");
