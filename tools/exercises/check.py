@@ -254,13 +254,25 @@ def picture(stage):
         print("\n" + say("What it paints by now: {file}", file=target))
 
 
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        """Says it in one line, without the usage."""
+        self.exit(2, f"check: {message}\n")
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("stage", nargs="?", type=int)
+    parser = Parser(description=__doc__.splitlines()[0])
+    parser.add_argument("stage", nargs="?")
     parser.add_argument("--watch", action="store_true", help="check whenever the header is saved")
     parser.add_argument("--hint", action="store_true", help="the next hint of the exercise that is not done")
     options = parser.parse_args()
     stage = default_stage() if options.stage is None else options.stage
+    if isinstance(stage, str):
+        stage = int(stage) if stage.isdecimal() else repr(stage)
+    try:
+        header_of(stage)
+    except Failure as error:
+        parser.error(error)
     if options.hint:
         return hint(stage)
     if options.watch:
