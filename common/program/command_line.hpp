@@ -163,8 +163,9 @@ inline std::string what_is_wrong(const CLI::App& app,
   }
   if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
     const auto extra = unused.begin() + (unused.front() == "--" ? 1 : 0);
-    return "argument " + in_quotes(*extra) + " was not expected after " +
-           in_quotes(positional.back());
+    return "argument " + in_quotes(*extra) + " was not expected" +
+           (positional.empty() ? ""
+                               : " after " + in_quotes(positional.back()));
   }
   return text;
 }
