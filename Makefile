@@ -200,18 +200,21 @@ fuzz: setup-fuzz $(BUILD)/fuzz/CMakeCache.txt
 	  || { cat $(BUILD)/fuzz/build.log; exit 1; }
 	@set -f; python3 -m tests.fuzz.fuzz -j $(JOBS) --seconds "$$FUZZ_SECONDS" $$HARNESS
 
-# Programs for Windows, and what they do under wine: minutes. Says that it is
-# skipped where `tools/setup.sh windows` was not run.
-windows_compiler = $(shell command -v x86_64-w64-mingw32-g++-posix)
-windows_suites = core_tests $(addsuffix _tests,$(stages))
-test-windows: build
+# Programs for Windows with this machine's registers, and what they do under
+# wine: minutes.
+test-windows: windows-tools build
 	@$(compile) stage-diff
-	@$(if $(windows_compiler),cmake -S . -B $(BUILD)/windows \
+	@cmake -S . -B $(BUILD)/windows -DLIGHTWALK_NATIVE=ON \
 	  $(if $(shell command -v ninja),-G Ninja) -DCMAKE_BUILD_TYPE=Release \
-	  -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/cmake/mingw-w64.cmake > $(BUILD)/windows.log \
-	  && cmake --build $(BUILD)/windows -j $(JOBS) --target $(stages) stage-diff \
-	  $(windows_suites))
-	@PYTHONPATH=. python3 tests/windows/test_windows.py
+	  -DCMAKE_TOOLCHAIN_FILE=$(CURDIR)/cmake/mingw-w64.cmake > $(BUILD)/windows.log 2>&1 \
+	  || { cat $(BUILD)/windows.log; exit 1; }
+	@tools/compile.sh $(BUILD)/windows -j $(JOBS) \
+	  --target $(stages) stage-diff core_tests $(addsuffix _tests,$(stages))
+	@python3 -m tests.windows.test_windows
+
+.PHONY: windows-tools
+windows-tools:
+	@python3 -m tests.windows.tools
 
 # The README's commands on new Debians, by debootstrap: an hour, as root. FRESH
 # names releases: FRESH=trixie.

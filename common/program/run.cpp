@@ -3,7 +3,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "common/program/options.hpp"
 #include "common/program/output_files.hpp"
 #include "common/program/path_story.hpp"
+#include "common/program/processor_time.hpp"
 #include "common/program/progress_line.hpp"
 #include "common/program/report.hpp"
 #include "common/program/signals.hpp"
@@ -134,7 +134,7 @@ int paint_scene(const Program& program, const Tracing& tracing,
   RenderProgress progress;
   catch_interrupts();
   RenderResult result;
-  const std::clock_t cpu_start = std::clock();
+  const double cpu_start = processor_seconds();
   const auto start = std::chrono::steady_clock::now();
   {
     const double samples = static_cast<double>(camera.width) * camera.height *
@@ -151,7 +151,7 @@ int paint_scene(const Program& program, const Tracing& tracing,
   }
   const std::chrono::duration<double> elapsed =
       std::chrono::steady_clock::now() - start;
-  const std::clock_t cpu_time = std::clock() - cpu_start;
+  const double cpu_seconds = processor_seconds() - cpu_start;
 
   RenderInfo& info = result.info;
   info.stage = program.name;
@@ -164,7 +164,7 @@ int paint_scene(const Program& program, const Tracing& tracing,
       .info = info,
       .threads = thread_count(settings.threads),
       .seconds = elapsed.count(),
-      .cpu_seconds = static_cast<double>(cpu_time) / CLOCKS_PER_SEC,
+      .cpu_seconds = cpu_seconds,
       .interrupted =
           interrupted && info.samples_per_pixel < settings.samples_per_pixel,
   };
