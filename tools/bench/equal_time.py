@@ -13,12 +13,11 @@ the same noise. Takes minutes. Needs only the standard library.
 
 import argparse
 import pathlib
-import platform
-import subprocess
 import tempfile
 from statistics import mean, variance
 
 from compare.stages import ROOT, SCENES, read_pfm, render
+from tools.bench.machine import machine
 
 TABLE = ROOT / "tools/weave/equal_time.toml"
 SCENE, SIZE, SEEDS = "plastic", "64x64", 6
@@ -66,18 +65,6 @@ def row(bound, three, four, light):
             values[f"{key}{stage}"] = found[key]
     values["times"] = three["variance"] * three["microseconds"] / (four["variance"] * four["microseconds"])
     return "\n".join(["[[row]]", f"bounces = {bound}", *(f"{key} = {x:.3g}" for key, x in values.items())])
-
-
-def machine():
-    model = platform.processor() or platform.machine()
-    cpu = pathlib.Path("/proc/cpuinfo")
-    if cpu.exists():
-        names = [
-            line.split(":", 1)[1].strip() for line in cpu.read_text().splitlines() if "model name" in line
-        ]
-        model = names[0] if names else model
-    compiler = subprocess.run(["c++", "--version"], check=False, capture_output=True, text=True).stdout
-    return f"{model}, {platform.system()}, {(compiler.splitlines() or ['?'])[0]}"
 
 
 def main():

@@ -2,38 +2,38 @@
 
     make measured       python3 -m tools.bench.measured
 
-Tables of efficiency, of every benchmark and of peers, and the chart, each with
-the processor, the date and the command.
+Tables of efficiency, of every benchmark and of peers, and the chart. Each table
+names its command and date, the processors, the compiler and the commit.
 """
 
 import datetime
-import os
-import re
 import shutil
+import subprocess
 import sys
-from pathlib import Path
 
 from compare.stages import BUILD, ROOT, Failure
+from tools.bench.machine import machine
 from tools.book.measurements import benchmarks, table
 
 FOLDER = ROOT / "measured"
 
 
-def machine():
-    """The processor's name and how many there are."""
-    try:
-        info = Path("/proc/cpuinfo").read_text()
-        name = re.search(r"model name\s*: (.*)", info)[1]
-    except (OSError, TypeError):
-        name = os.uname().machine
-    return f"{name}, {os.cpu_count()} processors"
+def commit_at(time):
+    """What was checked out at this time, as far back as git remembers."""
+    asked = subprocess.run(
+        ["git", "rev-parse", "--short", f"HEAD@{{{time.isoformat()}}}"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+    )
+    return f"commit {asked.stdout.strip()}" if asked.returncode == 0 else "no commit"
 
 
 def main():
-    day = datetime.date.today().isoformat()
 
-    def keep(name, command, lines):
-        head = f"Measured by `{command}` on {day}: {machine()}."
+    def keep(name, command, source, lines):
+        time = datetime.datetime.fromtimestamp(source.stat().st_mtime).astimezone()
+        head = f"Measured by `{command}` on {time.date()}: {machine()}, {commit_at(time)}."
         (FOLDER / name).write_text("\n".join([head, "", *lines, ""]))
         print(FOLDER / name)
 
@@ -41,9 +41,12 @@ def main():
         if not (BUILD / needed).exists():
             raise Failure(f"{BUILD / needed} is not there: run `make bench` and `make bench-peers` first")
     FOLDER.mkdir(exist_ok=True)
-    keep("efficiency.md", "make bench", table(BUILD / "efficiency.md"))
-    keep("benchmarks.md", "make bench", benchmarks(BUILD / "bench.json"))
-    keep("peers.md", "make bench-peers", table(BUILD / "peers.md"))
+    for name, command, source, lines in (
+        ("efficiency.md", "make bench", BUILD / "efficiency.md", table),
+        ("benchmarks.md", "make bench", BUILD / "bench.json", benchmarks),
+        ("peers.md", "make bench-peers", BUILD / "peers.md", table),
+    ):
+        keep(name, command, source, lines(source))
     shutil.copy(BUILD / "convergence.svg", FOLDER / "convergence.svg")
 
 
