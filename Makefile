@@ -36,8 +36,8 @@ scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 
 .PHONY: picture help setup build test bench bench-peers measured mistakes goldens \
-  mutants diff null-test bench-compare setup-bench setup-fuzz fuzz \
-  format clean check watch hint handout handouts test-fresh setup-handout single-header \
+  mutants diff null-test bench-compare fuzz \
+  format clean check watch hint handout handouts test-fresh single-header \
   test-single-header test-windows $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
@@ -96,9 +96,17 @@ export help_text
 help:
 	@echo "$$help_text"
 
-# Costs milliseconds where nothing is missing.
+# Costs milliseconds where nothing is missing. Where only this is asked for,
+# SETUP=print has done what it should.
+printed := $(if $(MAKECMDGOALS),$(if $(filter-out setup setup-%,$(MAKECMDGOALS)),,|| [ "$$SETUP" = print ]))
 setup:
-	@tools/setup.sh
+	@tools/setup.sh $(printed)
+
+# What other targets need besides.
+setups := $(addprefix setup-,site slides fuzz bench peers windows compilers fresh all)
+.PHONY: $(setups)
+$(setups): setup-%: setup
+	@tools/setup.sh $* $(printed)
 
 # What CMake has configured; CMake itself sees to later changes.
 $(BUILD)/CMakeCache.txt: | setup
@@ -136,16 +144,13 @@ check watch hint: setup $(BUILD)/CMakeCache.txt
 
 # STAGE=3 OUT=folder, or STAGE=4 INTO=folder. SOLUTIONS=none opens the
 # exercises of the stages before, too.
-handout: setup-handout
+handout: setup
 	@python3 -m tools.handout.handout "$$STAGE" $(if $(OUT),--out "$$OUT") \
 	  $(if $(INTO),--into "$$INTO") $(if $(SOLUTIONS),--solutions "$$SOLUTIONS")
 
 # Five to ten minutes; ORDERS=1 puts the solutions in in the chapter's order only.
-handouts: setup-handout
+handouts: setup
 	@python3 -m tools.handout.prove --orders "$$ORDERS"
-
-setup-handout: setup
-	@tools/setup.sh handout
 
 # make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml OPTIONS="--spp 64": A and
 # B may be stages, images, or programs. Exit code 1 where they differ.
@@ -183,9 +188,6 @@ mistakes: setup $(BUILD)/CMakeCache.txt
 # folder of its own; FUZZ_CXX names another one.
 fuzz_cxx = $(or $(FUZZ_CXX),$(firstword $(wildcard $(addsuffix \
   /opt/llvm/bin/clang++,/opt/homebrew /usr/local)) clang++))
-
-setup-fuzz: setup
-	@tools/setup.sh fuzz
 
 $(BUILD)/fuzz/CMakeCache.txt: | setup-fuzz
 	@mkdir -p $(@D)
@@ -242,17 +244,13 @@ bench: build
 	@cat $(BUILD)/efficiency.md
 	@python3 -m tools.bench.bar
 
-# Peers and comparisons, and what reads C++, come from PyPI, in environments of
-# their own.
-$(BUILD)/bench-venv/made: tools/bench/requirements.txt
-$(BUILD)/mutants-venv/made: tests/mutants/requirements.txt
-$(BUILD)/bench-venv/made $(BUILD)/mutants-venv/made:
+# What comes from PyPI, each purpose in an environment of its own, with versions
+# and hashes: tools/setup/lock.sh writes them.
+$(BUILD)/%-venv/made: tools/setup/%.txt | setup
+	@rm -rf $(@D)
 	@python3 -m venv $(@D)
-	@$(@D)/bin/python -m pip install --quiet -r $<
+	@$(@D)/bin/python -m pip install --quiet --require-hashes -r $<
 	@touch $@
-
-setup-bench: setup
-	@tools/setup.sh bench
 
 compare_py = $(firstword $(wildcard $(addsuffix /compare.py, \
   /usr/share/benchmark $(addsuffix /share/googlebenchmark/tools, \
@@ -266,7 +264,7 @@ bench-compare: setup-bench $(BUILD)/bench-venv/made
 # for other registers:
 #   make BUILD=build-avx2 CMAKE_ARGS="-DLIGHTWALK_NATIVE=OFF \
 #     -DCMAKE_CXX_FLAGS='-march=x86-64-v3 -maes -mpclmul'"
-bench-peers: build $(BUILD)/bench-venv/made
+bench-peers: build setup-peers $(BUILD)/bench-venv/made
 	@$(BUILD)/bench-venv/bin/python -m tools.bench.peers $(addprefix --also ,$(ALSO)) | tee $(BUILD)/peers.md
 
 # What `make bench` and `make bench-peers` have measured, with the machine and
@@ -279,10 +277,10 @@ $(BUILD)/peers.md:
 	@$(MAKE) --no-print-directory bench-peers
 
 # CHECK=1 only tells what is not formatted.
-format: $(BUILD)/venv/made
-	@git ls-files '*.hpp' '*.cpp' | xargs $(BUILD)/venv/bin/clang-format \
+format: $(BUILD)/format-venv/made
+	@git ls-files '*.hpp' '*.cpp' | xargs $(BUILD)/format-venv/bin/clang-format \
 	  $(if $(CHECK),--dry-run --Werror,-i)
-	@$(BUILD)/venv/bin/ruff format --quiet --no-cache $(if $(CHECK),--diff) .
+	@$(BUILD)/format-venv/bin/ruff format --quiet --no-cache $(if $(CHECK),--diff) .
 
 clean:
 	@cmake -E rm -rf $(BUILD)

@@ -1,121 +1,263 @@
 #!/bin/sh
-# Installs what Lightwalk is built from and is not there yet: from Debian's or
-# Ubuntu's packages, or from Homebrew. Asks nothing, and does nothing when
-# nothing is missing. With SETUP=print it only says what it would run, and
-# stops with exit code 1 if that is anything.
+# Installs what Lightwalk uses and this machine does not have, by apt-get,
+# Homebrew or MSYS2's pacman: tools/setup/packages.txt is the list. Asks
+# nothing, and costs milliseconds where nothing is missing.
 #
-#   setup.sh         what `make` and `make test` need
-#   setup.sh site    what the book needs besides
-#   setup.sh live    what the book's live box needs besides: WebAssembly
-#   setup.sh slides  what the slides and the browser tests need besides
-#   setup.sh handout what handouts bring along besides
-#   setup.sh bench   what comparing benchmarks needs besides
-#   setup.sh fuzz    what `make fuzz` needs besides
-#   setup.sh windows what `make test-windows` needs besides
-set -eu
+#   tools/setup.sh             what `make` and `make test` need
+#   tools/setup.sh PURPOSE...  what another target needs besides
+#   tools/setup.sh all         all of it
+#
+# SETUP=print prints what it would run, and ends with 1 if that is anything.
+# SETUP=no believes that everything is there.
+set -euf
+table=$(dirname "$0")/setup/packages.txt
+newline='
+'
 
-# has_libfuzzer COMPILER: whether it can make programs for `make fuzz`.
-has_libfuzzer() {
-  echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }' |
-    "$1" -fsanitize=fuzzer,address -x c++ - -o /dev/null 2>/dev/null
+say() {
+  echo "setup: $*" >&2
 }
 
-debian_packages="make cmake ninja-build libglm-dev libopenimageio-dev
-  openimageio-tools libcli11-dev libtomlplusplus-dev doctest-dev
-  libbenchmark-dev nlohmann-json3-dev python3
-  python3-jsonschema"
-brew_packages="cmake ninja glm openimageio cli11 tomlplusplus doctest
-  google-benchmark nlohmann-json highway"
-if [ "${1:-}" = site ]; then
-  debian_packages="python3-venv"
-  # Other sources of node have npm in the same package.
-  command -v node >/dev/null || debian_packages="$debian_packages nodejs"
-  command -v npm >/dev/null || debian_packages="$debian_packages npm"
-  brew_packages="node python"
-elif [ "${1:-}" = live ]; then
-  # Debian's and Ubuntu's alone: a Mac's LLVM comes without WASI's libraries.
-  debian_packages="clang lld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32"
-  brew_packages=
-elif [ "${1:-}" = handout ]; then
-  # What a handout brings along for students without OpenImageIO.
-  debian_packages="libtinyexr-dev libstb-dev"
-  brew_packages="stb"
-elif [ "${1:-}" = bench ]; then
-  debian_packages="python3-venv libbenchmark-tools"
-  brew_packages="google-benchmark python"
-elif [ "${1:-}" = fuzz ]; then
-  # Any Clang that has libFuzzer will do, wherever it comes from.
+# one_of WORD WORDS: whether it is one of them.
+one_of() {
+  case " $2 " in *" $1 "*) return 0 ;; esac
+  return 1
+}
+
+# The arguments, before anything else.
+purposes=
+while IFS='|' read -r purpose rest; do
+  purpose=${purpose% }
+  case $purpose in '#'* | '') continue ;; esac
+  one_of "$purpose" "$purposes" || purposes="$purposes$purpose "
+done < "$table"
+wanted=${*:-build}
+for purpose in $wanted; do
+  one_of "$purpose" "$purposes all" || {
+    say "'$purpose' is not known; known are: ${purposes}all"
+    exit 2
+  }
+done
+case ${SETUP:=install} in
+  install | print) ;;
+  no) exit 0 ;;
+  *) say "SETUP='$SETUP': print or no is expected"; exit 2 ;;
+esac
+
+has_program() {
+  if [ "$1" = c++ ] && [ -n "${CXX:-}" ]; then return 0; fi
+  command -v "$1" > /dev/null
+}
+
+has_modules() {
+  python3 - "$@" 2> /dev/null <<'TEXT'
+import importlib.util, sys
+sys.exit(not all(importlib.util.find_spec(name) for name in sys.argv[1:]))
+TEXT
+}
+
+has_header() {
+  echo "#include <$1>" |
+    ${CXX:-c++} -std=c++20 -E -x c++ - > /dev/null 2>&1
+}
+
+# What no name of a package or a program tells.
+has_browser() {
+  for name in Chromium "Google Chrome"; do
+    if [ -d "/Applications/$name.app" ]; then return 0; fi
+  done
+  has_program chromium || has_program google-chrome ||
+    has_program chromium-browser
+}
+
+has_libfuzzer() {
   for clang in "${FUZZ_CXX:-clang++}" /opt/homebrew/opt/llvm/bin/clang++ \
     /usr/local/opt/llvm/bin/clang++; do
-    if has_libfuzzer "$clang"; then exit 0; fi
+    if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, long) { return 0; }' |
+      "$clang" -fsanitize=fuzzer,address -x c++ - -o /dev/null 2> /dev/null
+    then return 0; fi
+    if [ -n "${FUZZ_CXX:-}" ]; then break; fi
   done
-  if [ -n "${FUZZ_CXX:-}" ] || ! { command -v apt-get || command -v brew; } \
-    >/dev/null; then
-    echo "setup: make fuzz needs Clang with libFuzzer and the sanitizers;" \
-      "FUZZ_CXX=/path/to/clang++ names one" >&2
-    exit 1
-  fi
-  debian_packages="clang libclang-rt-dev"
-  brew_packages=llvm
-elif [ "${1:-}" = windows ]; then
-  # Debian's and Ubuntu's alone: Homebrew has no wine that runs without a Mac's
-  # own screen.
-  debian_packages="g++-mingw-w64-x86-64-posix libz-mingw-w64-dev wine64
-    libtinyexr-dev libstb-dev"
-  brew_packages=
-elif [ "${1:-}" = slides ]; then
-  # Any Chromium or Chrome will do, wherever it comes from.
-  for browser in chromium google-chrome chromium-browser; do
-    if command -v $browser >/dev/null; then exit 0; fi
+  return 1
+}
+
+has_webassembly() {
+  printf '#include <vector>\nint main() { return std::vector<int>(1)[0]; }\n' |
+    "${WASM_CXX:-clang++}" --target=wasm32-wasi -fno-exceptions -x c++ - \
+      -o /dev/null 2> /dev/null
+}
+
+# is_there USE: whether the machine has it, wherever it comes from. A module
+# says more than a program, and a check more than both.
+is_there() {
+  modules=
+  others=
+  for use in $1; do
+    case $use in
+      check:*) "has_${use#check:}"; return ;;
+      module:*) modules="$modules ${use#module:}" ;;
+      *) others="$others $use" ;;
+    esac
   done
-  for browser in Chromium "Google Chrome"; do
-    if [ -d "/Applications/$browser.app" ]; then exit 0; fi
+  # shellcheck disable=SC2086
+  if [ -n "$modules" ]; then has_modules $modules; return; fi
+  for use in $others; do
+    case $use in
+      program:*) if has_program "${use#*:}"; then return 0; fi ;;
+      file:*) if [ -e "${use#*:}" ]; then return 0; fi ;;
+      header:*)
+        # A package manager knows better whether all of a library is there.
+        if [ -z "$manager" ] && has_header "${use#*:}"; then return 0; fi ;;
+    esac
   done
-  debian_packages="chromium fonts-dejavu-core"
-  brew_packages=chromium
+  return 1
+}
+
+if one_of fuzz "$wanted" && [ -n "${FUZZ_CXX:-}" ] && ! has_libfuzzer; then
+  say "FUZZ_CXX='$FUZZ_CXX': Clang with libFuzzer and the sanitizers is expected"
+  exit 1
 fi
+
+# Who installs, and the list of what is installed, one on a line.
+manager=
+installed=
+if has_program dpkg-query && has_program apt-get; then
+  manager=apt-get
+  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' |
+    sed -n 's/^installed //p')
+elif [ -n "${MINGW_PACKAGE_PREFIX:-}" ] && has_program pacman; then
+  manager=pacman
+  installed=$(pacman -Qq)
+elif has_program brew; then
+  manager=brew
+  installed=$(ls "$(brew --prefix)/opt" 2> /dev/null || true)
+fi
+
+# is_installed A/B/...: whether one of these packages is.
+is_installed() {
+  IFS=/
+  # shellcheck disable=SC2086
+  set -- $1
+  unset IFS
+  for package; do
+    case $newline$installed$newline in
+      *"$newline$package$newline"*) return 0 ;;
+    esac
+  done
+  return 1
+}
+
+# What is missing: packages, and in words what no package here has.
+missing=
+needed_words=
+optional_words=
+while IFS='|' read -r purpose use debian brew msys2 _ words optional; do
+  purpose=${purpose% }
+  case $purpose in '#'* | '') continue ;; esac
+  one_of "$purpose" "$wanted" || one_of all "$wanted" || continue
+  case $manager in
+    apt-get) names=$debian ;;
+    pacman) names=$msys2 ;;
+    brew) names=$brew ;;
+    *) names=- ;;
+  esac
+  absent=
+  for name in $names; do
+    if [ "$manager" = pacman ]; then
+      case $name in
+        -) ;;
+        =*) name=${name#=} ;;
+        *) name=$MINGW_PACKAGE_PREFIX-$name ;;
+      esac
+    fi
+    is_installed "$name" || absent="$absent $name"
+  done
+  if [ -z "$absent" ] || is_there "$use"; then continue; fi
+  words=${words# }
+  words=${words% }
+  if [ "$absent" != ' -' ]; then
+    for name in $absent; do
+      one_of "$name" "$missing" || missing="$missing $name"
+    done
+  elif [ -n "${optional# }" ]; then
+    optional_words="${optional_words:+$optional_words, }$words"
+  else
+    needed_words="${needed_words:+$needed_words, }$words"
+  fi
+done < "$table"
 
 # run COMMAND: prints it, and runs it unless SETUP=print.
 run() {
-  echo "setup: $*" >&2
-  [ "${SETUP:-install}" = print ] || "$@"
+  say "$*"
+  [ "$SETUP" = print ] || "$@"
 }
 
-if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then
-  installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' \
-    $debian_packages g++ 2>/dev/null | sed -n 's/ installed$//p')
-  missing=
-  for package in $debian_packages; do
-    echo "$installed" | grep -qxF "$package" || missing="$missing $package"
+# choose: sets `chosen` to what is missing, of alternatives the first that the
+# archive has.
+choose() {
+  chosen=
+  for name in $missing; do
+    IFS=/
+    # shellcheck disable=SC2086
+    set -- $name
+    unset IFS
+    name=$1
+    if [ $# -gt 1 ]; then
+      for package; do
+        if apt-cache show "$package" > /dev/null 2>&1; then
+          name=$package
+          break
+        fi
+      done
+    fi
+    chosen="$chosen $name"
   done
-  [ -n "${CXX:-}" ] || command -v c++ >/dev/null || missing="$missing g++"
-  [ -n "$missing" ] || exit 0
-  as_root=
-  [ "$(id -u)" = 0 ] || as_root=sudo
-  run $as_root apt-get update -q
-  run $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y \
-    --no-install-recommends $missing
-elif command -v brew >/dev/null; then
-  prefix=$(brew --prefix)
-  missing=
-  for package in $brew_packages; do
-    [ -d "$prefix/opt/$package" ] || missing="$missing $package"
-  done
-  [ -n "$missing" ] || exit 0
-  run brew install $missing
-else
-  # No package manager that this script knows: CMake says what is missing.
-  if [ "${SETUP:-install}" = print ] || ! command -v cmake >/dev/null; then
-    cat >&2 <<'TEXT'
-setup: this system has neither apt-get nor Homebrew. Please install:
-  a C++20 compiler, CMake 3.22 or newer, Ninja (optional), GLM, OpenImageIO,
-  CLI11, toml++ 3, nlohmann/json, doctest, Google Benchmark, Highway (optional),
-  Python 3.11 with jsonschema;
-  for the book Node 20 with npm, for the slides also Chromium or Chrome.
-  With vcpkg: `vcpkg install` in this folder reads vcpkg.json.
-TEXT
+}
+
+# may_be_root: whether sudo is there and lets this user run apt-get.
+may_be_root() {
+  has_program sudo && {
+    sudo -n apt-get --version > /dev/null 2>&1 || sudo -v
+  }
+}
+
+status=0
+# Packages are words.
+# shellcheck disable=SC2086
+if [ -n "$missing" ]; then
+  chosen=$missing
+  case $manager in
+    apt-get)
+      as_root=
+      [ "$(id -u)" = 0 ] || as_root=sudo
+      choose
+      get="apt-get install --no-install-recommends$chosen"
+      if [ "$SETUP" = install ] && [ -n "$as_root" ] && ! may_be_root; then
+        say "please ask an administrator to run: $get"
+        exit 1
+      fi
+      run $as_root apt-get update -q || true
+      choose
+      run $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y \
+        --no-install-recommends $chosen || status=$?
+      ;;
+    pacman) run pacman -S --needed --noconfirm $chosen || status=$? ;;
+    brew) run brew install $chosen || status=$? ;;
+  esac
+  if [ "$status" != 0 ]; then
+    say "$manager could not install (it says above why):$chosen"
     exit 1
   fi
-  exit 0
 fi
-[ "${SETUP:-install}" != print ]
+if [ -n "$needed_words" ]; then
+  if [ -n "$manager" ]; then
+    say "$manager has no package of it; please install: $needed_words"
+  else
+    say "neither apt-get nor Homebrew nor MSYS2 is here; please install, or ask" \
+      "an administrator for: $needed_words" \
+      "${optional_words:+(and, for more, $optional_words)};" \
+      "SETUP=no takes it that they are there"
+  fi
+  exit 1
+fi
+[ -z "$missing" ] || [ "$SETUP" = install ]

@@ -16,7 +16,7 @@ async function settled(page) {
   await page.evaluate(() => document.fonts.ready);
 }
 
-const noBox = fs.existsSync(`${build}/book/_static/lab-module.js`) ? false : "NOT TESTED: tools/setup.sh live";
+const noBox = fs.existsSync(`${build}/book/_static/lab-module.js`) ? false : "NOT TESTED: tools/setup.sh site";
 
 /** A figure with the box in it, once it paints. */
 async function openedBox(chapter, name, options) {

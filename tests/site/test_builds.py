@@ -90,7 +90,7 @@ class Book(Copy):
         run = self.run_tool("live.build", static)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
-        self.assertIn("tools/setup.sh live", run.stderr)
+        self.assertIn("tools/setup.sh site", run.stderr)
         self.assertEqual((static / "lab.js").read_text(), "")
         self.assertFalse((static / "lab-module.js").exists())
 

@@ -2,7 +2,7 @@
 
 The mistakes are those of tests/mistakes/stageN.toml, made in the stages' own
 headers; each has a namespace of its own in one module. Clang makes it, with
-the headers and libraries that `tools/setup.sh live` installs.
+the headers and libraries that `tools/setup.sh site` installs.
 """
 
 import base64
@@ -90,7 +90,7 @@ def box_script():
     folder = BUILD / "live"
     folder.mkdir(exist_ok=True)
     if not compiler_is_there(folder):
-        print("book: the box stays still: no WebAssembly compiler (tools/setup.sh live)", file=sys.stderr)
+        print("book: the box stays still: no WebAssembly compiler (tools/setup.sh site)", file=sys.stderr)
         return None
     facts = write_variants(folder)
     made, module = folder / "box.o", folder / "box.wasm"
