@@ -104,10 +104,9 @@ is_there() {
   for use in $others; do
     case $use in
       program:*) if has_program "${use#*:}"; then return 0; fi ;;
-      file:*) if [ -e "${use#*:}" ]; then return 0; fi ;;
-      header:*)
-        # A package manager knows better whether all of a library is there.
-        if [ -z "$manager" ] && has_header "${use#*:}"; then return 0; fi ;;
+      # A package manager knows better whether all of a library is there.
+      file:*) [ -n "$manager" ] || [ ! -e "${use#*:}" ] || return 0 ;;
+      header:*) [ -n "$manager" ] || ! has_header "${use#*:}" || return 0 ;;
     esac
   done
   return 1
