@@ -44,9 +44,13 @@ SUFFIXES = {
     ".toml",
     ".html",
 }
-SYSTEM_HEADERS = set("dirent.h dlfcn.h fcntl.h io.h poll.h pthread.h unistd.h windows.h immintrin.h".split())
+# Of C, POSIX, Windows and compilers.
+SYSTEM_HEADERS = set(
+    """assert.h ctype.h errno.h float.h limits.h math.h signal.h stdarg.h stddef.h stdint.h stdio.h stdlib.h string.h time.h
+    dirent.h dlfcn.h fcntl.h poll.h pthread.h unistd.h io.h windows.h immintrin.h""".split()
+)
 # What every system with a shell has, and what a shell does itself.
-SHELL = set("cat cd cp echo mkdir printf rm set sh tee touch xargs".split())
+SHELL = set("cat cd cp echo exit mkdir printf rm sed set sh sleep tee touch xargs".split())
 NODE_ITSELF = {"fs", "path"}
 CMAKE_ITSELF = {"Threads"}
 # How the tree says what it does not name.
@@ -127,9 +131,9 @@ def cmake_uses(text):
     for package in re.findall(r"find_package\((\w+)", text):
         if package not in CMAKE_ITSELF:
             yield f"package:{package}"
-    for header in re.findall(r"find_path\(\w+\s+(\S+?)[\s)]", text):
+    for header in re.findall(r"find_(?:path|headers)\(\w+\s+([\w./+-]+)", text):
         yield f"header:{header}"
-    for programs in re.findall(r"find_program\(\w+\s+(?:NAMES\s+)?([^)]+)\)", text):
+    for programs in re.findall(r"find_(?:program|command)\(\w+\s+(?:NAMES\s+)?((?:[a-z][\w+-]*\s*)+)", text):
         yield from (f"program:{name}" for name in programs.split())
     for program in re.findall(r"set\(CMAKE_\w+_COMPILER\s+(\S+)\)", text):
         yield f"program:{program}"
@@ -137,6 +141,7 @@ def cmake_uses(text):
 
 def shell_uses(text, indented):
     """The first word of each command of a script, or of a Makefile's recipes."""
+    text = re.sub(r""""[^"\n]*"|'[^'\n]*'""", "", text)
     for line in re.findall(r"^\t@?(\S.*)" if indented else r"^(\w.*)", text, re.MULTILINE):
         for command in re.split(r"&&|\|\|?|;|\{", line):
             word = command.strip().partition(" ")[0]
@@ -252,7 +257,7 @@ def unused(files):
 @functools.cache
 def words_of(pattern, text):
     """The words of all that matches: names of packages, or of purposes."""
-    found = " ".join(re.findall(pattern, text)).replace("mingw-w64-ucrt-x86_64-", "")
+    found = " ".join(re.findall(pattern, text, re.MULTILINE)).replace("mingw-w64-ucrt-x86_64-", "")
     return [word for word in re.split(r"[\s{},]+", found) if word and not word.startswith("-")]
 
 
@@ -283,7 +288,8 @@ def other_lists(files):
         r"pip install ([\w-]+)": {
             use[7:] for row in rows for use in row.use.split() if use.startswith("module:")
         },
-        r"(?:setup\.sh |make setup-)([a-z]+)": purposes,
+        r"""(?:setup\.sh |make setup-)([a-z]+)(?:[`"');]| &|$)""": purposes,
+        r'leave_out\([^()]*" ([a-z]+)\)': purposes,
     }
     for path, text in files.items():
         if path.startswith(("tools/setup", "tests/house/test_", "CHANGELOG")):
