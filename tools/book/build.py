@@ -14,16 +14,18 @@ from pathlib import Path
 
 from compare import stages
 from compare.stages import BUILD, ROOT, Failure, stage_headers
+from tools.book.catalogue import read_catalogue
 from tools.book.definitions import link_definitions
 from tools.book.figures import PlacedFigures
 from tools.book.keep_together import keep_together
 from tools.book.measurements import measurements_page
-from tools.book.mistakes import mistakes_page
+from tools.book.mistakes import figure_entry, mistakes_page, read_gallery
 from tools.book.page import page_of, weave
 from tools.book.sections import write_sections
 from tools.book.set_formulas import set_formulas
 from tools.book.symbols import symbols_page
 from tools.live.build import add_box, check_live
+from tools.weave.figures import BOOK, placed_names
 from tools.weave.formulas import check_formulas, formulas, formulas_of_header
 from tools.weave.names import check_names, check_text
 from tools.weave.offline import check_offline
@@ -48,7 +50,7 @@ def write(path, lines):
     path.write_text("\n".join(lines) + "\n")
 
 
-def write_source(source, figures):
+def write_source(source, figures, *gallery):
     bare = ["---", "hide-toc: true", "---", ""]
     for header in stage_headers():
         check_names(header)
@@ -64,7 +66,7 @@ def write_source(source, figures):
             write(source / page.name, figures.filled(page).split("\n"))
     write(source / "symbols.md", symbols_page())
     write(source / "measurements.md", measurements_page(source))
-    mistakes = mistakes_page(figures)
+    mistakes = mistakes_page(figures, *gallery)
     if mistakes:
         write(source / "mistakes.md", mistakes)
     write(source / "index.md", front_page(figures, bool(mistakes)))
@@ -164,7 +166,12 @@ def main():
     copy_fonts(static)
     figures = PlacedFigures(source / "figures")
     check_live(figures.entries)
-    write_source(source, figures)
+    catalogue = read_catalogue()
+    pairs, why = read_gallery(catalogue)
+    shown = {entry["name"]: entry for entry in (figure_entry(one) for _, one in pairs)}
+    figures.entries |= shown
+    figures.make(placed_names(BOOK) | shown.keys())
+    write_source(source, figures, catalogue, pairs, why)
     check_every_formula(figures)
     for header in stage_headers() + core_headers():
         check_transcripts(header)

@@ -30,18 +30,25 @@ def slug(heading):
     return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 
 
-def figure(shown, figures):
-    """The pair of pictures, as the book has its figures."""
-    name = f"gallery-{shown['stage']}-{shown['name']}"
-    figures.entries[name] = {
-        "name": name,
+def figure_name(shown):
+    return f"gallery-{shown['stage']}-{shown['name']}"
+
+
+def figure_entry(shown):
+    """The pair of pictures, as figures.toml has its figures."""
+    return {
+        "name": figure_name(shown),
         "caption": shown["look"],
         "shows": shown["title"] + ":",
         "exposure": "shared",
         "panels": [{"label": "right"}, {"label": "wrong", "mistake": shown["name"]}],
         **{key: shown[key] for key in ("stage", "scene", "options", "replace") if key in shown},
     }
-    lines = figures.myst(name, GALLERY, f"gallery.toml: {shown['name']}")
+
+
+def figure(shown, figures):
+    """The pair of pictures, as the book has its figures."""
+    lines = figures.myst(figure_name(shown), GALLERY, f"gallery.toml: {shown['name']}")
     place = next(i for i, line in enumerate(lines) if line.endswith("figure panels-2"))
     lines[place] += " compare"
     return lines
@@ -127,12 +134,10 @@ def read_gallery(catalogue):
     return pairs, read["why"]
 
 
-def mistakes_page(figures):
+def mistakes_page(figures, catalogue, pairs, why):
     """The page's lines, or nothing while nobody has collected mistakes."""
-    catalogue = read_catalogue()
     if not catalogue:
         return None
-    pairs, why = read_gallery(catalogue)
     pictured = {entry.anchor for entry, _ in pairs}
     wrong = [entry for entry in catalogue if not entry.is_right]
     right = [entry for entry in catalogue if entry.is_right]

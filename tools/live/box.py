@@ -16,7 +16,7 @@ from pathlib import Path
 from compare.stages import BUILD, ROOT, Failure
 from tests.mistakes.mistakes import CATALOGUE, read_mistakes
 from tools.exercises.sheet import headers_with_exercises
-from tools.weave.mistaken import header_with
+from tools.weave.mistaken import in_namespace
 
 HERE = Path(__file__).parent
 # What a mistake is called where it is chosen, by stage and by its name.
@@ -61,12 +61,8 @@ def write_variants(folder):
         facts.append({"stage": stage, "name": "", "label": "right", "sentence": ""})
     for number, ((stage, name), label) in enumerate(MISTAKES.items()):
         space = f"stage{stage}_mistake{number}"
-        changed = header_with(stage, name)[1]
-        old = f"namespace lightwalk::stage{stage} {{"
-        if changed.count(old) != 1:
-            raise Failure(f"stage {stage} has '{old}' not once")
         file = f"mistake{number}.hpp"
-        (folder / file).write_text(changed.replace(old, f"namespace lightwalk::{space} {{"))
+        (folder / file).write_text(in_namespace(stage, name, space))
         headers.append(file)
         tracers.append(f"{space}::PathTracer")
         known = {one.name: one.sentence for one in read_mistakes(CATALOGUE / f"stage{stage}.toml")}

@@ -19,7 +19,7 @@ from tools.slides.index import index_page
 from tools.slides.links import OWN, corner, without_links
 from tools.slides.listing import colors, fill
 from tools.slides.plans import plans
-from tools.weave.figures import Figures
+from tools.weave.figures import SLIDES, Figures, placed_names
 from tools.weave.formulas import check_formulas, formulas
 from tools.weave.names import check_text
 from tools.weave.offline import check_offline
@@ -123,6 +123,7 @@ def main():
     shutil.rmtree(printed, ignore_errors=True)
     every, course = decks(), course_table()
     check_coverage()
+    figures.make(placed_names(SLIDES))
     for deck in every:
         deck.check()
         (source / f"{deck.name}.md").write_text(woven(deck, figures, course))

@@ -1,8 +1,10 @@
 """The figures of the book and the slides: figures.toml says which there are."""
 
+import os
 import re
 import shutil
 import tomllib
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 from compare.stages import ROOT, Failure
@@ -20,10 +22,15 @@ from tools.weave import (  # noqa: F401, they register
 )
 from tools.weave.drawing import draw
 from tools.weave.png import strip_curve
-from tools.weave.renders import Render
+from tools.weave.mistaken import build_programs
+from tools.weave.renders import Render, spent
 
 REFERENCE = re.compile(r"!\[\]\(([\w-]+)\)$")
 PLACE = re.compile(r"^// !\[\]\(([\w-]+)\)$|^\{figure\} (\S+)", re.M)
+BOOK = ("stages/*/*.hpp", "common/**/*.hpp", "tools/book/pages/*.md")
+SLIDES = ("slides/*.md",)
+# A render uses all processors, but for its start and its end.
+MOST_AT_ONCE = 4
 
 
 def figure_reference(line, where):
@@ -34,9 +41,8 @@ def figure_reference(line, where):
     return found[1] if found else None
 
 
-def placed_names():
-    """The names of the figures that a header, a page or a slide shows."""
-    patterns = ("stages/*/*.hpp", "common/**/*.hpp", "tools/book/pages/*.md", "slides/*.md")
+def placed_names(patterns):
+    """The names of the figures that these headers, pages or slides show."""
     texts = [path.read_text() for pattern in patterns for path in ROOT.glob(pattern)]
     return {match[1] or match[2] for text in texts for match in PLACE.finditer(text)}
 
@@ -62,11 +68,13 @@ class Figures:
     def __init__(self, folder):
         self.folder = folder
         self.folder.mkdir(parents=True, exist_ok=True)
+        self.made = {}
         entries = tomllib.loads(Path(__file__).with_suffix(".toml").read_text())["figure"]
         self.entries = {entry["name"]: entry for entry in entries}
         if len(self.entries) != len(entries):
             raise Failure("figures.toml: a name stands there twice")
-        unused = [name for name in self.entries if name not in placed_names()]
+        placed = placed_names(BOOK + SLIDES)
+        unused = [name for name in self.entries if name not in placed]
         if unused:
             raise Failure(f"figures.toml: no chapter, page or slide shows '{unused[0]}'")
 
@@ -90,8 +98,36 @@ class Figures:
             for panel in entry.get("panels", [])
         ]
 
+    def make(self, names):
+        """Makes these figures, several at a time, with a line for each that
+        costs something. Names that are no figure's are left to who asks for
+        them."""
+        entries = [self.entries[name] for name in sorted(names) if name in self.entries]
+        renders = [render for entry in entries for render in self.renders(entry)]
+        wrong = [(render.stage, render.mistake) for render in renders if render.mistake]
+        build_programs(wrong, lambda line: print(line, flush=True))
+
+        def make_one(name):
+            spent.seconds = 0
+            self.files(name)
+            return name, spent.seconds
+
+        pool = ThreadPoolExecutor(min(MOST_AT_ONCE, os.cpu_count()))
+        try:
+            for one in as_completed([pool.submit(make_one, entry["name"]) for entry in entries]):
+                name, seconds = one.result()
+                if seconds:
+                    print(f"{name}: {seconds:.1f} s of processor time", flush=True)
+        finally:
+            pool.shutdown(cancel_futures=True)
+
     def files(self, name):
         """Makes the figure's pictures in `folder`, and returns their names."""
+        if name not in self.made:
+            self.made[name] = self.draw_or_render(name)
+        return self.made[name]
+
+    def draw_or_render(self, name):
         entry = self.entry(name)
         if "panels" not in entry:
             light, dark = draw(name)

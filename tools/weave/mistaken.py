@@ -4,29 +4,55 @@
 
 The mistakes are those of tests/mistakes/stageN.toml. A program is built once
 for its header and for what else it is made of, and kept in build/figures.
+Mistakes of one stage are compiled together, each in a namespace of its own:
+what they share costs the most, and is compiled once.
 """
 
+import concurrent.futures
+import functools
 import hashlib
 import json
+import os
+import re
 import shlex
 import subprocess
 import sys
+import tempfile
+from pathlib import Path
 from types import SimpleNamespace
 
 from compare.stages import BUILD, ROOT, Failure, stage_headers
 from tests.mistakes.mistakes import CATALOGUE, changed_header, read_mistakes, run
 
+# More in one program take longer than as many programs at the same time.
+MOST_TOGETHER = 6
 
-def header_with(stage, name):
-    """The stage's header, and its text with the mistake in it."""
+
+@functools.cache
+def known_mistakes(stage):
+    """The stage's header, and its mistakes by their names."""
     header = next((p for p in stage_headers() if p.parent.name[0] == str(stage)), None)
     catalogue = CATALOGUE / f"stage{stage}.toml"
     if not header or not catalogue.exists():
         raise Failure(f"stage {stage} has no mistakes")
-    for mistake in read_mistakes(catalogue):
-        if mistake.name == name:
-            return header, changed_header(mistake, SimpleNamespace(header=header))
-    raise Failure(f"{catalogue.relative_to(ROOT)}: no mistake is called '{name}'")
+    return header, {mistake.name: mistake for mistake in read_mistakes(catalogue)}
+
+
+def header_with(stage, name):
+    """The stage's header, and its text with the mistake in it."""
+    header, known = known_mistakes(stage)
+    if name not in known:
+        raise Failure(f"tests/mistakes/stage{stage}.toml: no mistake is called '{name}'")
+    return header, changed_header(known[name], SimpleNamespace(header=header))
+
+
+def in_namespace(stage, name, space):
+    """The text of the header with the mistake, in a namespace of its own."""
+    text = header_with(stage, name)[1]
+    old = f"namespace lightwalk::stage{stage} {{"
+    if old not in text:
+        raise Failure(f"stage {stage} has no line '{old}'")
+    return text.replace(old, f"namespace lightwalk::{space} {{")
 
 
 def link_words(stage):
@@ -38,7 +64,8 @@ def link_words(stage):
     else:
         line = (BUILD / f"CMakeFiles/stage{stage}.dir/link.txt").read_text()
     words = shlex.split(line.replace(r"\$ORIGIN", str(BUILD)))
-    return [word for word in words if f"stage{stage}.dir/" not in word]
+    words = [word for word in words if f"stage{stage}.dir/" not in word]
+    return [str(BUILD / word) if word.endswith(".o") else word for word in words]
 
 
 def compile_words(stage):
@@ -53,34 +80,97 @@ def compile_words(stage):
     raise Failure(f"{commands} has no stage{stage}")
 
 
-def program(stage, name):
-    """The program's file, built if need be."""
-    header, text = header_with(stage, name)
+@functools.cache
+def digest(stage, name):
+    """Of all that the program with the mistake is made from."""
+    text = header_with(stage, name)[1]
     whole = BUILD / f"stage{stage}"
     if not whole.is_file():
         raise Failure(f"{whole} has not been built")
     # Words in comments change no picture.
     code = "\n".join(line for line in text.splitlines() if not line.lstrip().startswith("//"))
-    digest = hashlib.sha256(code.encode() + whole.read_bytes()).hexdigest()
-    folder = BUILD / "figures/mistakes" / digest[:20]
-    made = folder / whole.name
-    if made.exists():
-        return made
-    overlay = folder / header.relative_to(ROOT)
-    overlay.parent.mkdir(parents=True, exist_ok=True)
-    overlay.write_text(text)
-    target = folder / "main.o"
-    words = compile_words(stage)
-    words[words.index("-o") + 1] = str(target)
-    what = f"stage {stage} with {name}"
-    run([*launcher(), words[0], f"-I{folder}", *words[1:]], f"{what} does not compile")
-    words = link_words(stage)
-    words[words.index("-o") + 1] = str(folder / "linked")
-    words = [str(BUILD / w) if w.endswith(".o") else w for w in words]
-    run([*words, str(target)], f"{what} does not link")
-    target.unlink()
-    (folder / "linked").rename(made)
-    return made
+    return hashlib.sha256(code.encode() + whole.read_bytes()).hexdigest()[:20]
+
+
+def place(stage, name):
+    """Where the program is, or will be."""
+    return BUILD / "figures/mistakes" / digest(stage, name) / name
+
+
+def program(stage, name):
+    """The program's file, built if need be."""
+    build_programs([(stage, name)])
+    return place(stage, name)
+
+
+def build_programs(wanted, say=lambda line: None):
+    """Builds those that are not there, of (stage, name)."""
+    missing = [one for one in dict.fromkeys(wanted) if not place(*one).exists()]
+    groups = []
+    for stage in sorted({stage for stage, _ in missing}):
+        names = [name for number, name in missing if number == stage]
+        count = -(-len(names) // MOST_TOGETHER)
+        groups += [(stage, names[first::count]) for first in range(count)]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for line in pool.map(lambda group: build_together(*group), groups):
+            say(line)
+
+
+def whole_source(stage, names, folder):
+    """The stage's main.cpp once for each mistake, whose header is written into
+    the folder. The name of the program says which of them runs."""
+    header = known_mistakes(stage)[0]
+    own = f'#include "{header.relative_to(ROOT).as_posix()}"'
+    text = (header.parent / "main.cpp").read_text()
+    includes = re.findall(r"^#include .*$", text, re.M)
+    body = re.sub(r"^#include .*$", "", text, flags=re.M)
+    mains, choices = [], []
+    for number, name in enumerate(names):
+        space = f"stage{stage}_mistake{number}"
+        (folder / f"{name}.hpp").write_text(in_namespace(stage, name, space))
+        includes.insert(includes.index(own), f'#include "{name}.hpp"')
+        mine = re.sub(rf"\bstage{stage}::", f"{space}::", body)
+        mains.append(mine.replace("int main(", f"static int {space}("))
+        choices.append(f'  if (name == "{name}") return {space}(argc, argv);')
+    includes.remove(own)
+    return "\n".join(
+        [
+            *includes,
+            "#include <filesystem>",
+            *mains,
+            "int main(int argc, char** argv) {",
+            "  const auto name = std::filesystem::path(argv[0]).filename();",
+            *choices,
+            "  return 2;",
+            "}",
+            "",
+        ]
+    )
+
+
+def build_together(stage, names):
+    """Builds one program for several mistakes of a stage, under all names;
+    returns a line that says so."""
+    what = f"stage {stage} with a mistake"
+    kept = BUILD / "figures/mistakes"
+    kept.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=kept) as made:
+        folder = Path(made)
+        source, target, linked = folder / "main.cpp", folder / "main.o", folder / "linked"
+        source.write_text(whole_source(stage, names, folder))
+        words = compile_words(stage)
+        words[words.index("-o") + 1] = str(target)
+        words[words.index("-c") + 1] = str(source)
+        run([*launcher(), *words], f"{what} does not compile")
+        words = link_words(stage)
+        words[words.index("-o") + 1] = str(linked)
+        run([*words, str(target)], f"{what} does not link")
+        for name in names:
+            place(stage, name).parent.mkdir(exist_ok=True)
+            # A rename is whole or not at all, whoever builds the same.
+            os.link(linked, folder / name)
+            (folder / name).replace(place(stage, name))
+    return f"stage {stage} compiled with {', '.join(names)}"
 
 
 def launcher():

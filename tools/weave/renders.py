@@ -9,7 +9,11 @@ import json
 import re
 import shlex
 import shutil
+import tempfile
+import threading
 import tomllib
+from collections import defaultdict
+from pathlib import Path
 
 from compare.stages import BUILD, ROOT, Failure, render
 from tools.weave import mistaken
@@ -22,7 +26,18 @@ WORDS = {
     "--size": "{} pixels",
     "--tone-map": "tones by {}",
 }
+CACHE = BUILD / "figures/cache"
 ONE = {"1 samples per pixel": "1 sample per pixel", "1 bounces": "1 bounce"}
+
+
+class Spent(threading.local):
+    """What the renders of this thread have cost, in seconds of processor time."""
+
+    seconds = 0.0
+
+
+spent = Spent()
+in_work = defaultdict(threading.Lock)  # by key: no two threads make the same
 
 
 class Render:
@@ -30,7 +45,7 @@ class Render:
 
     def __init__(self, stage, scene, options, replace=(), mistake=None):
         self.stage, self.scene, self.mistake = stage, scene, mistake
-        self.options = options + ["--seed", "1"]
+        self.options = options + ["--seed", "1"] * ("--seed" not in options)
         self.text = (ROOT / scene).read_text()
         self.changes = []
         for old, new in zip(replace[::2], replace[1::2]):
@@ -51,38 +66,55 @@ class Render:
         return re.findall(r'image = "(.*?)"', self.text)
 
     def key(self):
-        program = self.program()
-        digest = hashlib.sha256(program.read_bytes())
+        if self.mistake:  # known before the program is there
+            digest = hashlib.sha256(mistaken.digest(self.stage, self.mistake).encode())
+        else:
+            digest = hashlib.sha256(self.program().read_bytes())
         digest.update(self.text.encode())
         for name in self.images():
             digest.update(((ROOT / self.scene).parent / name).read_bytes())
         digest.update("\0".join(self.options).encode())
         return digest.hexdigest()[:20]
 
-    def picture(self):
-        """The picture's file, made if need be; its report is beside it."""
-        cache = BUILD / "figures/cache"
-        cache.mkdir(parents=True, exist_ok=True)
-        made = cache / f"{self.key()}.png"
-        if made.with_suffix(".json").exists():
-            return made
-        scene = ROOT / self.scene
-        if self.changes:
-            scene = made.with_suffix(".toml")
-            scene.write_text(self.text)
-            for name in self.images():  # a scene reads what lies beside it
-                (cache / name).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy((ROOT / self.scene).parent / name, cache / name)
-        try:
-            report = render(self.program(), scene, made, *self.options)
-        except Failure as failure:
-            raise Failure(f"figures.toml: {self.command()}: {failure}") from None
-        made.with_suffix(".json").write_text(json.dumps(report))
+    def files(self, *suffixes):
+        """The render as files of these kinds, made if need be, and its report."""
+        key = self.key()
+        made = [CACHE / (key + suffix) for suffix in (*suffixes, ".json")]
+        with in_work[key]:
+            if not all(path.exists() for path in made):
+                try:
+                    self.make(key, suffixes)
+                except Failure as failure:
+                    raise Failure(f"figures.toml: {self.command()}: {failure}") from None
         return made
 
+    def make(self, key, suffixes):
+        """Writes the cache's files, each whole or not at all."""
+        CACHE.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=CACHE) as name:
+            folder = Path(name)
+            scene = ROOT / self.scene
+            if self.changes:
+                scene = folder / "scene.toml"
+                scene.write_text(self.text)
+                for image in self.images():  # a scene reads what lies beside it
+                    (folder / image).parent.mkdir(parents=True, exist_ok=True)
+                    shutil.copy((ROOT / self.scene).parent / image, folder / image)
+            images = [folder / (key + suffix) for suffix in suffixes]
+            more = [word for image in images[1:] for word in ("-o", image)]
+            report = render(self.program(), scene, images[0], *more, *self.options)
+            spent.seconds += report["cpu_seconds"]
+            said = folder / f"{key}.json"
+            said.write_text(json.dumps(report))
+            for made in (*images, said):
+                made.replace(CACHE / made.name)
+
+    def picture(self):
+        return self.files(".png")[0]
+
     def rays_per_sample(self):
-        report = self.picture().with_suffix(".json")
-        return json.loads(report.read_text())["rays_per_sample"]
+        # A .pfm does not load the image library, which takes longer than the render.
+        return json.loads(self.files(".pfm")[1].read_text())["rays_per_sample"]
 
     def facts(self):
         """What a caption says of the run: {scene, samples, bounces, ...}."""
