@@ -20,7 +20,9 @@ slides: site-programs setup-slides $(BUILD)/site-venv/made $(BUILD)/node/made
 	@$(site_python) -m tools.slides.build
 
 # What stops a build is tested on copies of the sources, what was built in a
-# browser.
+# browser; several files at a time. Node alone would leave a processor idle.
 test-site: book slides
-	@$(site_python) -m unittest tests/site/test_*.py tools/book/test_*.py
-	@node --test --test-reporter=spec tests/site/*.test.cjs
+	@printf '%s\n' tests/site/test_*.py tools/book/test_*.py | \
+	  xargs -n 1 -P $(JOBS) $(site_python) -m unittest
+	@printf '%s\n' tests/site/*.test.cjs | \
+	  xargs -n 1 -P $(JOBS) node --test --test-reporter=spec

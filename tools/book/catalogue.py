@@ -1,6 +1,7 @@
 """The known mistakes of tests/mistakes/stageN.toml, as the book tells them."""
 
 import difflib
+import functools
 import html
 import re
 import textwrap
@@ -54,9 +55,14 @@ class Entry:
                 found.append("  ...")
         return first, found
 
+    @functools.cached_property
+    def change(self):
+        """`changed` without lines around, which several parts of the page need."""
+        return self.changed()
+
     def section(self):
         """The heading of the chapter above the change."""
-        lines = self.header.read_text().split("\n")[: self.changed()[0]]
+        lines = self.header.read_text().split("\n")[: self.change[0]]
         return next(m[1] for line in lines[::-1] if (m := re.match(r"// #{1,3} (.*)", line)))
 
     def page(self, suffix):

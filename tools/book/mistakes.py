@@ -93,7 +93,7 @@ def contact_sheet(pairs):
 
 def row(entry, last, pictured):
     """A row of a table; a picture's place has the names itself."""
-    diff = entry.changed()[1]
+    diff = entry.change[1]
     stage, section = entry.mistake.stage, entry.section()
     own = "" if pictured else f' id="{entry.anchor}"'
     bare = "" if pictured else "".join(f' id="{name}"' for name in entry.anchors())

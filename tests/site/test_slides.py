@@ -1,0 +1,88 @@
+"""What the slides refuse: see sources_copy.py."""
+
+from tests.site.sources_copy import STAGE1, STAGE3, Copy
+
+
+class Slides(Copy):
+    def test_the_sources_as_they_are_pass(self):
+        run = self.run_tool("slides.build", "--check")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    def test_a_region_that_there_is_not(self):
+        self.change("slides/2_next_event.md", "#direct-light", "#direct-lights")
+        self.assert_refused(
+            "slides", "slides/2_next_event.md:", "path_tracer.hpp#direct-lights: no such region"
+        )
+
+    def test_a_step_that_there_is_not(self):
+        self.change("slides/5_fresnel_textures.md", "Draw an event", "Draw two events")
+        self.assert_refused("slides", "slides/5_fresnel_textures.md:", "no step begins 'Draw two events'")
+
+    def test_code_that_does_not_fit(self):
+        self.change("slides/2_next_event.md", "#light-sample", "#sphere-light")
+        self.assert_refused("slides", "do not fit a slide")
+
+    def test_a_figure_that_nobody_makes(self):
+        self.change("slides/2_next_event.md", "{figure} next-event", "{figure} last-event")
+        self.assert_refused("slides", "figure 'last-event' is not in figures")
+
+    def test_a_formula_that_is_broken(self):
+        self.change("slides/2_next_event.md", r"$$\frac{I}{d^2}$$", r"$$\frac{I}{d^2$$")
+        self.assert_refused("slides", "slides/2_next_event.md:", "Missing close brace")
+
+    def test_a_name_that_is_not_in_the_code(self):
+        self.change("slides/2_next_event.md", "We call it `intensity`", "We call it `power`")
+        self.assert_refused("slides", "`power` is not in the code")
+
+    def test_a_slide_whose_notes_have_no_time(self):
+        self.change("slides/2_next_event.md", "2 min\nThe only light", "The only light")
+        self.assert_refused("slides", "slides/2_next_event.md:", "the notes of 'A point light' begin with")
+
+    def test_notes_that_marp_would_take_for_settings(self):
+        self.change("slides/2_next_event.md", "The only light that", "Note: the only light that")
+        self.assert_refused("slides", "a colon in notes")
+
+    def test_a_line_of_the_course_that_is_empty_is_left_out(self):
+        self.change("slides/course.toml", '"Last day" = "fill in slides/course.toml"', '"Last day" = ""')
+        self.assertEqual(self.run_tool("slides.build", "--check").returncode, 0)
+        deck = (self.build / "slides-source/0_recap.md").read_text()
+        self.assertNotIn("Last day", deck)
+        self.assertIn("Recommended deadline", deck)
+
+    def test_a_line_of_the_course_that_is_no_text(self):
+        self.change("slides/course.toml", '"Last day" = "fill in slides/course.toml"', '"Last day" = 11')
+        self.assert_refused("slides", 'slides/course.toml: "Last day" is a text in quotes')
+
+    def test_a_file_of_the_course_that_is_broken(self):
+        self.change("slides/course.toml", '"Last day" = ', '"Last day" ')
+        self.assert_refused("slides", "slides/course.toml: ", "line")
+
+    def test_a_plan_that_skips_a_slide_that_there_is_not(self):
+        self.change("slides/plans.toml", '"Random numbers"', '"Random digits"')
+        self.assert_refused("slides", "plans.toml: 'Two sessions', session 1: no slide", "'Random digits'")
+
+    def test_a_session_that_takes_too_long(self):
+        self.change("slides/plans.toml", "minutes = 90", "minutes = 60")
+        self.assert_refused("slides", "'Five sessions', session 1: takes", "not 60")
+
+
+class Coverage(Copy):
+    def test_a_title_of_the_course_without_a_slide(self):
+        self.change("slides/4_russian_roulette.md", "# Material combinations", "# Combinations")
+        self.assert_refused("slides", "'Material combinations'", "no slide of 4_russian_roulette")
+
+    def test_a_region_that_there_is_not(self):
+        self.change("slides/coverage.toml", 'path_tracer.hpp#refract"', 'path_tracer.hpp#refraction"')
+        self.assert_refused("slides", "coverage.toml", "#refraction: no such")
+
+    def test_a_formula_that_the_chapter_has_not(self):
+        self.change(STAGE3, r"\qquad p(\omega_t) = 1$$", r"\qquad p(\omega_t)$$")
+        self.assert_refused("slides", r"p(\omega_t) = 1 is not in", STAGE3)
+
+    def test_a_formula_that_the_deck_has_not(self):
+        self.change("slides/3_specular_refraction.md", r"$$p(\omega_t) = 1$$", "certain")
+        self.assert_refused("slides", r"p(\omega_t) = 1 is not in", "3_specular_refraction")
+
+    def test_a_trap_where_the_lecture_does_not_stop(self):
+        self.change("slides/2_next_event.md", "<!-- _class: trap -->\n# Counted once", "# Counted once")
+        self.assert_refused("slides", "trap 'Counted once'")
