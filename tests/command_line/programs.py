@@ -5,7 +5,6 @@ import shutil
 import signal
 import subprocess
 import tempfile
-import time
 import unittest
 
 from compare.stages import BUILD, ROOT, SCENES, built_stages, read_pfm  # noqa: F401
@@ -16,35 +15,12 @@ from tests.runner import watch
 HANG = 240
 
 
-class Patience:
-    """Waits for a process as long as it is doing something that may come to an end."""
-
-    def __init__(self, process, seconds=HANG):
-        self.process = process
-        self.watch = watch.Watch(process.pid, seconds)
-
-    def look(self):
-        """To be called at least once in a watch.PERIOD."""
-        if why := self.watch.look():
-            self.process.kill()
-            raise AssertionError(f"{self.process.args} does not come to an end: it is {why}")
-
-    def until(self, condition):
-        """Returns when the condition is met, or the process has ended."""
-        while self.process.poll() is None and not condition():
-            time.sleep(0.01)
-            self.look()
+def communicate(process, text=None):
+    return watch.communicate(process, text, HANG)
 
 
-def communicate(process, text=None, seconds=HANG):
-    """As the process's own, to its end."""
-    patience = Patience(process, seconds)
-    while True:
-        try:
-            return process.communicate(text, timeout=watch.PERIOD)
-        except subprocess.TimeoutExpired:
-            text = None
-            patience.look()
+def wait_until(process, condition):
+    return watch.wait_until(process, condition, HANG)
 
 
 def run_command(command, seconds=HANG, **options):
@@ -52,7 +28,7 @@ def run_command(command, seconds=HANG, **options):
     pipes = dict(stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     pipes |= dict(encoding="utf-8", errors="backslashreplace")
     with subprocess.Popen(command, **(pipes | options)) as process:
-        said = communicate(process, seconds=seconds)
+        said = watch.communicate(process, seconds=seconds)
     return subprocess.CompletedProcess(command, process.returncode, *said)
 
 

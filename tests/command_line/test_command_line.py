@@ -15,7 +15,17 @@ import time
 import unittest
 
 from broken_scenes import GOOD, with_instead
-from programs import BUILD, SCENES, InFolder, Patience, built_stages, communicate, read_pfm, run, run_command
+from programs import (
+    BUILD,
+    SCENES,
+    InFolder,
+    built_stages,
+    communicate,
+    read_pfm,
+    run,
+    run_command,
+    wait_until,
+)
 
 from tests.runner import watch
 
@@ -40,10 +50,9 @@ def catches_interrupts(process):
 def interrupt(process, after=0.3):
     """Presses Ctrl-C when the program has rendered for some time, by the clock and
     by the processor: on a busy machine, the clock alone says nothing."""
-    patience = Patience(process)
-    patience.until(lambda: catches_interrupts(process))
+    wait_until(process, lambda: catches_interrupts(process))
     time.sleep(after)
-    patience.until(lambda: watch.usage(process.pid)[0] >= after)
+    wait_until(process, lambda: watch.usage(process.pid)[0] >= after)
     process.send_signal(signal.SIGINT)
 
 
@@ -469,7 +478,7 @@ class CtrlC(Programs):
             stderr=subprocess.PIPE,
             text=True,
         )
-        Patience(process).until(lambda: catches_interrupts(process))
+        wait_until(process, lambda: catches_interrupts(process))
         (self.folder / "sub").rmdir()
         interrupt(process)
         *_, stderr = communicate(process)
@@ -501,7 +510,7 @@ class Progress(Programs):
         reader = threading.Thread(target=read)
         reader.start()
         interrupt(process, after=0.8)
-        Patience(process).until(lambda: False)
+        wait_until(process, lambda: False)
         reader.join()
         os.close(ours)
         return b"".join(written).decode()

@@ -15,7 +15,17 @@ import threading
 import tty
 import unittest
 
-from programs import BUILD, SCENES, InFolder, Patience, communicate, read_pfm, run, run_command, with_signals
+from programs import (
+    BUILD,
+    SCENES,
+    InFolder,
+    communicate,
+    read_pfm,
+    run,
+    run_command,
+    wait_until,
+    with_signals,
+)
 
 BOX = SCENES / "cornell_box_ceiling_diffuse.toml"
 SMALL = ["--size", "8x8", "--spp", "1"]
@@ -280,7 +290,7 @@ class Interrupts(Outputs):
             return not any(int(mask, 16) >> (number - 1) & 1 for mask in pending)
 
         if status.exists():  # Linux
-            Patience(process).until(delivered)
+            wait_until(process, delivered)
 
     def test_in_the_first_pass_the_old_picture_is_kept(self):
         for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]:

@@ -107,3 +107,32 @@ class Watch:
         if used - self.start > self.seconds:
             return "busy"
         return "idle" if self.idle > self.idle_seconds else ""
+
+
+class Endless(Exception):
+    """A process that was stopped."""
+
+
+def go_on(watcher, process):
+    if why := watcher.look():
+        process.kill()
+        raise Endless(f"{process.args} does not come to an end: it is {why}")
+
+
+def wait_until(process, condition, seconds=SECONDS):
+    """Returns when the condition is met, or the process has ended."""
+    watcher = Watch(process.pid, seconds)
+    while process.poll() is None and not condition():
+        time.sleep(0.01)
+        go_on(watcher, process)
+
+
+def communicate(process, text=None, seconds=SECONDS):
+    """As the process's own, which has limits by the clock only."""
+    watcher = Watch(process.pid, seconds)
+    while True:
+        try:
+            return process.communicate(text, timeout=PERIOD)
+        except subprocess.TimeoutExpired:
+            text = None
+            go_on(watcher, process)

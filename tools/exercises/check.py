@@ -10,6 +10,7 @@ whole suite of the stage is run. A test of it that tells of one exercise, the
 """
 
 import argparse
+import contextlib
 import dataclasses
 import json
 import os
@@ -20,8 +21,8 @@ import textwrap
 import time
 import tomllib
 
-from compare.stages import BUILD, ROOT, Failure, run, tests_filter
-from tests.runner import report, suite
+from compare.stages import BUILD, ROOT, Failure, tests_filter
+from tests.runner import report, suite, watch
 from tools.exercises.marks import marks
 from tools.exercises.sheet import headers_with_exercises, read_tasks, title_of
 from tools.exercises.words import plain, say
@@ -217,7 +218,7 @@ def hint(stage):
     print(say("{left} more: `make hint`", left=left) if left else say("That was the last one."))
 
 
-def watch(stage):
+def check_at_each_save(stage):
     """Checks whenever the header is saved, until Ctrl-C."""
     header = header_of(stage)
     seen = None
@@ -250,8 +251,12 @@ def picture(stage):
     target = BUILD / "pictures" / f"stage{stage}.png"
     target.parent.mkdir(exist_ok=True)
     options = ["-o", target, "--size", "128x128", "--spp", "16", "--quiet"]
-    if run(f"stage{stage}", ROOT / f"scenes/{scene}.toml", *options).returncode == 0:
-        print("\n" + say("What it paints by now: {file}", file=target))
+    command = [BUILD / f"stage{stage}", ROOT / f"scenes/{scene}.toml", *options]
+    quiet = {name: subprocess.DEVNULL for name in ("stdin", "stdout", "stderr")}
+    with contextlib.suppress(watch.Endless), subprocess.Popen(command, **quiet) as process:
+        watch.communicate(process)
+        if process.returncode == 0:
+            print("\n" + say("What it paints by now: {file}", file=target))
 
 
 class Parser(argparse.ArgumentParser):
@@ -276,7 +281,7 @@ def main():
     if options.hint:
         return hint(stage)
     if options.watch:
-        return watch(stage)
+        return check_at_each_save(stage)
     return 0 if check(stage) else 1
 
 

@@ -11,9 +11,11 @@ import sys
 import tempfile
 import tomllib
 import unittest
+import unittest.mock as mock
 from pathlib import Path
 
 from compare.stages import ROOT, Failure
+from tests.runner import watch
 from tests.runner.doctest_report import Test
 from tests.runner.suite import Outcome
 from tools.exercises import check, words
@@ -72,6 +74,20 @@ class Messages(unittest.TestCase):
         mirror = Test("a mirror", "units", [("says", "")], 1, True)
         crash = Outcome("stage3_tests", [mirror], end="crash", why="The tests crashed", kind=3)
         self.assertEqual(check.explained(crash), "  a mirror\n    says\n\nThen the tests crashed")
+
+    @unittest.skipIf(os.name == "nt", "needs a shell")
+    def test_a_picture_that_does_not_end_is_left_out(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = Path(folder) / "stage1"
+            program.write_text("#!/bin/sh\nwhile :; do :; done\n")
+            program.chmod(0o755)
+            with (
+                mock.patch.multiple(check, BUILD=Path(folder), build=lambda target: ("", True)),
+                mock.patch.object(watch.communicate, "__defaults__", (None, 0.2)),
+                contextlib.redirect_stdout(io.StringIO()) as said,
+            ):
+                check.picture(1)
+            self.assertEqual(said.getvalue(), "")
 
     def test_the_compilers_first_error_comes_first(self):
         said = f"[1/2] Building\nFAILED: x\n{ROOT}/stages/a.hpp:3:1: error: no 'foo'\n  foo\n"
