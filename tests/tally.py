@@ -41,6 +41,11 @@ class Tally:
             self.failed += failed
         return known
 
+    def add(self, other):
+        self.passed += other.passed
+        self.failed += other.failed
+        self.skipped += other.skipped
+
     def add_junit(self, path):
         """What ctest has written: each of its entries is a program with tests of its own."""
         for entry in ElementTree.parse(path).getroot().iter("testcase"):
@@ -74,9 +79,11 @@ class Tally:
                 else:
                     self.passed += 1
 
-    def close(self, *where):
+    def close(self, *where, broken=0):
         """Prints the last lines; returns the exit code. `where` are the parts of
-        left_out.txt that these tests are about."""
+        left_out.txt that these tests are about, `broken` the programs that ended
+        before they had counted."""
+        self.failed += broken
         missing = [f"not tested: {line}" for place in where for line in left_out(place)]
         lines = [f"skipped: {line}" for line in self.skipped] + missing
         if lines:

@@ -19,10 +19,5 @@ book: site-programs $(BUILD)/site-venv/made $(BUILD)/node/made
 slides: site-programs setup-slides $(BUILD)/site-venv/made $(BUILD)/node/made
 	@$(site_python) -m tools.slides.build
 
-# What stops a build is tested on copies of the sources, what was built in a
-# browser; several files at a time. Node alone would leave a processor idle.
 test-site: book slides
-	@printf '%s\n' tests/site/test_*.py tools/book/test_*.py | \
-	  xargs -n 1 -P $(JOBS) $(site_python) -m unittest
-	@printf '%s\n' tests/site/*.test.cjs | \
-	  xargs -n 1 -P $(JOBS) node --test --test-reporter=spec
+	@$(site_python) -m tests.site.run -j $(JOBS)

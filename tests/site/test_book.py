@@ -23,7 +23,8 @@ class Book(Copy):
     def test_without_a_compiler_for_webassembly_the_box_stays_still(self):
         static = self.root / "static"
         static.mkdir()
-        run = self.run_tool("live.build", static, WASM_CXX="no-such-compiler")
+        (self.build / "left_out.txt").write_text("book: the box (no compiler; tools/setup.sh site)\n")
+        run = self.run_tool("live.build", static)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
         self.assertIn("tools/setup.sh site", run.stderr)

@@ -3,7 +3,7 @@
 import shutil
 import sys
 
-COMPILER = "x86_64-w64-mingw32-g++-posix"
+from compare.stages import left_out
 
 
 def wine_program():
@@ -14,12 +14,6 @@ def wine_program():
     return None
 
 
-def missing():
-    """What is not installed, or an empty text."""
-    absent = [] if shutil.which(COMPILER) else [f"mingw-w64 ({COMPILER})"]
-    return " and ".join(absent + ([] if wine_program() else ["wine"]))
-
-
 if __name__ == "__main__":
-    if absent := missing():
-        sys.exit(f"test-windows: not installed: {absent}; on Debian and Ubuntu: tools/setup.sh windows")
+    if lacks := left_out("test-windows"):
+        sys.exit(f"test-windows: nothing was tested: {lacks[0]}")

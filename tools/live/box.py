@@ -8,12 +8,11 @@ the headers and libraries that `tools/setup.sh site` installs.
 import base64
 import json
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure
+from compare.stages import BUILD, ROOT, Failure, left_out
 from tests.mistakes.mistakes import CATALOGUE, read_mistakes
 from tools.exercises.sheet import headers_with_exercises
 from tools.weave.mistaken import in_namespace
@@ -30,13 +29,6 @@ MISTAKES = {
 COMPILER = [os.environ.get("WASM_CXX", "clang++"), "--target=wasm32-wasi"]
 # As the native programs are made, so that the bits are theirs.
 OPTIONS = ["-std=c++20", "-O2", "-DNDEBUG", "-ffp-contract=off", "-msimd128", "-fno-exceptions", "-fno-rtti"]
-
-
-def compiler_is_there(folder):
-    probe = folder / "probe.cpp"
-    probe.write_text("#include <vector>\nint main() { return std::vector<int>(1)[0]; }\n")
-    words = [*COMPILER, "-fno-exceptions", probe, "-o", folder / "probe.wasm"]
-    return bool(shutil.which(COMPILER[0])) and not subprocess.run(words, capture_output=True).returncode
 
 
 def find_glm(folder):
@@ -85,8 +77,8 @@ def box_script():
     so, where nothing compiles for WebAssembly."""
     folder = BUILD / "live"
     folder.mkdir(exist_ok=True)
-    if not compiler_is_there(folder):
-        print("book: the box stays still: no WebAssembly compiler (tools/setup.sh site)", file=sys.stderr)
+    if lacks := left_out("book"):
+        print(f"book: left out: {lacks[0]}", file=sys.stderr)
         return None
     facts = write_variants(folder)
     made, module = folder / "box.o", folder / "box.wasm"
