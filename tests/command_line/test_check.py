@@ -1,22 +1,14 @@
 """`make check`, told a stage that is none."""
 
-import subprocess
 import sys
 import unittest
 
-from programs import HANG, ROOT
+from programs import ROOT, run_command
 
 
 class WrongUsage(unittest.TestCase):
     def refused(self, argument, said):
-        result = subprocess.run(
-            [sys.executable, "-m", "tools.exercises.check", argument],
-            cwd=ROOT,
-            capture_output=True,
-            text=True,
-            timeout=HANG,
-            check=False,
-        )
+        result = run_command([sys.executable, "-m", "tools.exercises.check", argument], cwd=ROOT)
         self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertRegex(result.stderr, rf"^check: {said}\n$")
 

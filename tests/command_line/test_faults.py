@@ -295,7 +295,8 @@ class Faults(InFolder):
             self.assertEqual(len(links), 1, "somebody's file is left alone")
             if result.returncode:
                 self.assertEqual(path.read_bytes(), OLD)
-                self.assertEqual(result.stderr, f"stage1: {path} cannot be written: File exists\n")
+                why = f"no file can be made in '{path.parent}': File exists"
+                self.assertEqual(result.stderr, f"stage1: {path} cannot be written: {why}\n")
 
     def test_a_signal_that_ends_the_program_leaves_no_unfinished_file(self):
         path = self.out / "out.pfm"
