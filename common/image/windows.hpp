@@ -10,6 +10,9 @@
 #ifndef NOMINMAX
 #define NOMINMAX
 #endif
+#ifndef NOGDI  // drawing, with a function Rectangle
+#define NOGDI
+#endif
 #include <windows.h>
 
 // Of 16-bit times. Other headers of Windows write them in capitals.
