@@ -164,7 +164,7 @@ single-header:
 
 # All of them, by each compiler that is here, beside what the tree paints:
 # minutes. `make test` takes the newest one.
-test-single-header: build
+test-single-header: setup-compilers build
 	@LIGHTWALK_EVERY_STAGE=1 python3 -B -m tests.scripts \
 	  tests/command_line/test_single_header.py -k EveryStage
 
@@ -204,7 +204,7 @@ fuzz: setup-fuzz $(BUILD)/fuzz/CMakeCache.txt
 
 # Programs for Windows with this machine's registers, and what they do under
 # wine: minutes.
-test-windows: build windows-tools
+test-windows: setup-windows build windows-tools
 	@$(compile) stage-diff
 	@cmake -S . -B $(BUILD)/windows -DLIGHTWALK_NATIVE=ON \
 	  $(if $(shell command -v ninja),-G Ninja) -DCMAKE_BUILD_TYPE=Release \
@@ -215,7 +215,7 @@ test-windows: build windows-tools
 	@python3 -m tests.windows.test_windows
 
 .PHONY: windows-tools
-windows-tools: build
+windows-tools: setup-windows build
 	@python3 -m tests.windows.tools
 
 # The README's commands on new Debians, by debootstrap: an hour, as root. FRESH

@@ -3,7 +3,7 @@
 # that there was nothing to do.
 {
   status=$({ { cmake --build "$@" 3>&- 4>&-; echo $? >&3; } |
-    sed -e '/Re-checking globbed directories/d' -e '/^ninja: no work to do/d' \
-      >&4; } 3>&1)
+    grep --line-buffered -v -e 'Re-checking globbed directories' \
+      -e '^ninja: no work to do' >&4; } 3>&1)
 } 4>&1
 exit "$status"
