@@ -21,7 +21,7 @@ set(left_out)
 # leave_out(WHERE WHAT REASON [PURPOSE]): PURPOSE is an argument of setup.sh.
 macro(leave_out where what reason)
   string(STRIP "tools/setup.sh ${ARGN}" command)
-  list(APPEND left_out "${where}: ${what} (${reason}; ${command})")
+  string(APPEND left_out "${where}: ${what} (${reason}; ${command})\n")
 endmacro()
 
 # find_headers(VARIABLE NAME [SUFFIX]): the folder that has the header NAME.
@@ -99,5 +99,4 @@ endif()
 # What the tools use; a student's tree has none of them.
 include(${CMAKE_SOURCE_DIR}/tools/Optional.cmake OPTIONAL)
 
-list(JOIN left_out "\n" text)
-file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/left_out.txt CONTENT "${text}\n")
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/left_out.txt CONTENT "${left_out}")

@@ -89,6 +89,12 @@ class Windows(unittest.TestCase):
         print(f"stage{stage}: of {len(seen)} numbers {differ} differ, {apart} by more than rounding")
         self.assertLess(apart, len(seen) / 100, f"stage{stage} is another picture on Windows")
 
+    def test_what_the_build_lacks_is_listed_with_the_command_that_gets_it(self):
+        lines = (WINDOWS / "left_out.txt").read_text().splitlines()
+        self.assertGreater(len(lines), 0)  # Google Benchmark is not there for Windows
+        for line in lines:
+            self.assertRegex(line, r"^[a-z-]+: .+ \(.+; tools/setup\.sh[ a-z]*\)$")
+
     def test_stage_6_follows_as_many_paths_as_the_native_program(self):
         if not self.rows:
             self.skipTest(self.native)
