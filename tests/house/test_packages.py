@@ -50,7 +50,7 @@ SYSTEM_HEADERS = set(
     dirent.h dlfcn.h fcntl.h poll.h pthread.h unistd.h io.h windows.h immintrin.h""".split()
 )
 # What every system with a shell has, and what a shell does itself.
-SHELL = set("cat cd cp echo exit mkdir printf rm sed set sh sleep tee touch xargs".split())
+SHELL = set("cat cd cp date echo exit export mkdir printf rm sed set sh sleep step tee touch xargs".split())
 NODE_ITSELF = {"fs", "path"}
 CMAKE_ITSELF = {"Threads"}
 # How the tree says what it does not name.
