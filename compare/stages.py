@@ -28,13 +28,20 @@ def stage_headers():
 
 def core_headers():
     """The core's headers in the order of its map, common/README.md."""
-    text = (ROOT / "common/README.md").read_text()
-    listed = [ROOT / "common" / name for name in re.findall(r"\]\((\w+/\w+\.hpp)\)", text)]
-    odd = set(ROOT.glob("common/**/*.hpp")) ^ set(listed)
+    return listed_headers(ROOT / "common")
+
+
+def listed_headers(folder):
+    """The headers of a folder's rooms, in the order in which its README lists them."""
+    there = set(folder.glob("*/**/*.hpp"))
+    text = (folder / "README.md").read_text() if there else ""
+    listed = [folder / name for name in re.findall(r"\]\((\w+/\w+\.hpp)\)", text)]
+    odd = there ^ set(listed)
     odd = odd or {path for path in listed if listed.count(path) > 1}
     if odd:
         names = ", ".join(sorted(path.relative_to(ROOT).as_posix() for path in odd))
-        raise Failure(f"common/README.md: missing, listed twice or not there: {names}")
+        where = (folder / "README.md").relative_to(ROOT).as_posix()
+        raise Failure(f"{where}: missing, listed twice or not there: {names}")
     return listed
 
 

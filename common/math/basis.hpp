@@ -18,7 +18,7 @@
 
 namespace lightwalk {
 
-// `Vector` is a Vec3, or a row of them: see common/rows.
+// `Vector` is a Vec3, or a row of them: see stage 6.
 
 // #region basis
 /// Three unit axes, each perpendicular to the others, right-handed.

@@ -41,7 +41,7 @@ class Random {
     return {x, y};
   }
 
-  // `Bits` is a std::uint64_t, or a row of them: see common/rows.
+  // `Bits` is a std::uint64_t, or a row of them: see stage 6.
 
   static constexpr std::uint64_t step = 0x9e3779b97f4a7c15;
 

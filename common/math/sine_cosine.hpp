@@ -16,7 +16,7 @@
 // over and over, forwards and backwards, so an angle anywhere is folded into
 // it. Counted in turns of the circle instead of radians the folding is exact.
 //
-// `Number` is a float, or a row of them: see common/rows.
+// `Number` is a float, or a row of them: see stage 6.
 
 #include <cmath>
 

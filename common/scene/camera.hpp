@@ -28,7 +28,7 @@ struct Camera {
   }
 
   /// The direction to a point of the picture, in pixels from the upper left
-  /// corner: `Vector` is a Vec3, or a row of them (see common/rows).
+  /// corner: `Vector` is a Vec3, or a row of them (see stage 6).
   template <class Vector, class Number>
   Vector direction(const Number& column, const Number& row) const {
     const Number across = column / static_cast<float>(width);

@@ -30,10 +30,10 @@
 #include <variant>
 
 #include "common/geometry/inlining.hpp"
-#include "common/rows/material_table.hpp"
-#include "common/rows/sample_queue.hpp"
-#include "common/rows/shape_table.hpp"
 #include "stages/5_fresnel_textures/path_tracer.hpp"
+#include "stages/6_many_paths/rows/material_table.hpp"
+#include "stages/6_many_paths/rows/sample_queue.hpp"
+#include "stages/6_many_paths/rows/shape_table.hpp"
 
 #ifdef LIGHTWALK_ROWS
 
@@ -53,7 +53,7 @@ namespace lightwalk::stage6 {
 // `Bases` has a basis for each lane.
 //
 // What is behind the operators? A library, Highway, knows the instructions of
-// each processor. `common/rows/row.hpp` gives them signs: `+`, `*`, `<`.
+// each processor. `rows/row.hpp` gives them signs: `+`, `*`, `<`.
 //
 // Four words are for the compiler alone, and you may skip them. `HWY_INLINE`
 // and `LIGHTWALK_IN_ONE_PIECE` put a function into its caller,
@@ -172,7 +172,7 @@ HWY_INLINE Floats fresnel_reflectance(const Floats& cos_o,
 // what stands in that line. A short table fits into a register, and picking
 // from a register is one instruction for all of its lanes. A longer table
 // stays in memory, and the numbers are fetched one by one
-// (`common/rows/column.hpp`).
+// (`rows/column.hpp`).
 //
 // ![](lookup)
 //
@@ -444,7 +444,7 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
 // three masks have only lanes that were on.) `step` returns who is left.
 //
 // Rays of all lanes meet one shape, then all meet the next, and each lane
-// keeps the nearest (`common/rows/shape_table.hpp`). Lanes that are off come
+// keeps the nearest (`rows/shape_table.hpp`). Lanes that are off come
 // along for nothing. A lane that met nothing has the first shape's line, and
 // what it finds there is not used.
 

@@ -67,6 +67,10 @@ class House(unittest.TestCase):
     def test_the_map_lists_the_core_as_it_is(self):
         stages.core_headers()
 
+    def test_a_chapter_lists_its_own_headers_as_they_are(self):
+        for header in stages.stage_headers():
+            stages.listed_headers(header.parent)
+
     def assert_refused(self, change, name):
         """The map is refused with this name after the change to a copy."""
         root = pathlib.Path(tempfile.mkdtemp(prefix="lightwalk-"))

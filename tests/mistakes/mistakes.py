@@ -148,7 +148,8 @@ class Suite:
             for path in ROOT.glob(pattern)
             if path.is_file()
         ]
-        files += [path for path in stage_headers() if path < self.header]
+        folders = [path.parent for path in stage_headers() if path <= self.header]
+        files += [path for one in folders for path in one.rglob("*.hpp") if path != self.header]
         whole = hashlib.sha256(repr(self.link).encode())
         for path in sorted(files):
             whole.update(str(path).encode() + path.read_bytes())

@@ -12,8 +12,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from compare import stages
-from compare.stages import BUILD, ROOT, Failure, stage_headers
+from compare.stages import BUILD, ROOT, Failure, core_headers, listed_headers, stage_headers
 from tools.book.catalogue import read_catalogue
 from tools.book.definitions import link_definitions
 from tools.book.figures import PlacedFigures
@@ -39,10 +38,21 @@ FONTS = ("source-serif-4", "jetbrains-mono")
 SIDEBAR_FROM = 97  # em of 16 px
 
 
-def core_headers():
-    """The core's chapters in their order: its headers that have a title."""
-    return [path for path in stages.core_headers()
-            if re.search(r"^// # ", path.read_text(), re.M)]
+def titled(headers):
+    """Those that are chapters of the book: they have a title."""
+    return [path for path in headers if re.search(r"^// # ", path.read_text(), re.M)]
+
+
+def other_headers():
+    """What is woven beside the stages' chapters, in order: {caption: headers}."""
+    found = {"The core": titled(core_headers())}
+    for header in stage_headers():
+        found[f"For stage {header.parent.name[0]}"] = titled(listed_headers(header.parent))
+    return {caption: headers for caption, headers in found.items() if headers}
+
+
+def woven_headers():
+    return stage_headers() + [header for headers in other_headers().values() for header in headers]
 
 
 def write(path, lines):
@@ -52,15 +62,13 @@ def write(path, lines):
 
 def write_source(source, figures, *gallery):
     bare = ["---", "hide-toc: true", "---", ""]
-    for header in stage_headers():
+    chapters = stage_headers()
+    for header in woven_headers():
         check_names(header)
-        sheet = read_sheet(header)
-        for what, text in sheet.texts():
+        sheet = read_sheet(header) if header in chapters else None
+        for what, text in sheet.texts() if sheet else ():
             check_text(text, f"{task_file(header)}: {what}")
         write(source / f"{page_of(header)}.md", bare + weave(header, figures, sheet))
-    for header in core_headers():
-        check_names(header)
-        write(source / f"{page_of(header)}.md", bare + weave(header, figures))
     for page in PAGES.glob("*.md"):
         if page.name != "index.md":
             write(source / page.name, figures.filled(page).split("\n"))
@@ -74,21 +82,20 @@ def write_source(source, figures, *gallery):
 
 def front_page(figures, with_mistakes):
     text = figures.filled(PAGES / "index.md")
-    chapters = [page_of(header) for header in stage_headers()]
-    core = [page_of(header) for header in core_headers()]
     rest = ["symbols", "measurements", "further_reading"]
     rest += ["mistakes"] * with_mistakes
     lines = text.split("\n")
-    for caption, pages in (("The stages", chapters), ("Beside them", rest),
-                           ("The core", core)):
+    lists = {"The stages": [page_of(header) for header in stage_headers()], "Beside them": rest}
+    for caption, headers in other_headers().items():
+        lists[caption] = [page_of(header) for header in headers]
+    for caption, pages in lists.items():
         lines += ["```{toctree}", ":hidden:", f":caption: {caption}", "",
                   *pages, "```", ""]
     return lines
 
 
 def check_every_formula(figures):
-    headers = stage_headers() + core_headers()
-    found = [f for header in headers for f in formulas_of_header(header)]
+    found = [f for header in woven_headers() for f in formulas_of_header(header)]
     for page in sorted(PAGES.glob("*.md")):
         found += formulas(page.read_text(), page.relative_to(ROOT))
     found += formulas("\n".join(symbols_page()), "symbols.toml")
@@ -138,8 +145,7 @@ def name_levels(book):
 def finish(book):
     """What is done to the pages that Sphinx has made."""
     write_sections(book)
-    headers = stage_headers() + core_headers()
-    link_definitions(book, [(header, page_of(header)) for header in headers])
+    link_definitions(book, [(header, page_of(header)) for header in woven_headers()])
     set_formulas(book)
     keep_together(book)
     name_levels(book)
@@ -173,7 +179,7 @@ def main():
     figures.make(placed_names(BOOK) | shown.keys())
     write_source(source, figures, catalogue, pairs, why)
     check_every_formula(figures)
-    for header in stage_headers() + core_headers():
+    for header in woven_headers():
         check_transcripts(header)
     if "--check" in sys.argv[1:]:
         return

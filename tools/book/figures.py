@@ -4,6 +4,7 @@ import re
 from collections import Counter
 
 from compare.stages import ROOT, Failure
+from tools.book.page import page_of
 from tools.weave.figures import Figures
 
 WIDEST_BESIDE = 4  # panels
@@ -12,8 +13,7 @@ WIDEST_BESIDE = 4  # panels
 def pages_depth(path):
     """How many folders the page of a header or of a page's source is down:
     stages/N_name, core/room/name, or index."""
-    parts = path.relative_to(ROOT).parts
-    return {"stages": 1, "common": len(parts) - 1}.get(parts[0], 0)
+    return page_of(path).count("/") if path.suffix == ".hpp" else 0
 
 
 def picture(file, shows):

@@ -16,7 +16,8 @@ HEADING = re.compile(r"^(#+) (.*)")
 def page_of(header):
     """The page that is woven from a header, without its ending."""
     if header.is_relative_to(ROOT / "stages"):
-        return f"stages/{header.parent.name}"
+        chapter = header.parent if header.name == "path_tracer.hpp" else header.with_suffix("")
+        return chapter.relative_to(ROOT).as_posix()
     return "core/" + header.relative_to(ROOT / "common").with_suffix("").as_posix()
 
 

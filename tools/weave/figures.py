@@ -27,7 +27,7 @@ from tools.weave.renders import Render, spent
 
 REFERENCE = re.compile(r"!\[\]\(([\w-]+)\)$")
 PLACE = re.compile(r"^// !\[\]\(([\w-]+)\)$|^\{figure\} (\S+)", re.M)
-BOOK = ("stages/*/*.hpp", "common/**/*.hpp", "tools/book/pages/*.md")
+BOOK = ("stages/**/*.hpp", "common/**/*.hpp", "tools/book/pages/*.md")
 SLIDES = ("slides/*.md",)
 # A render uses all processors, but for its start and its end.
 MOST_AT_ONCE = 4

@@ -13,7 +13,7 @@ IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 def known_names():
     """Every identifier of the code, every word of the scene format."""
     names = set()
-    for pattern in ("common/**/*.hpp", "common/**/*.cpp", "stages/*.hpp", "stages/*/*.hpp", "stages/*/*.cpp"):
+    for pattern in ("common/**/*.hpp", "common/**/*.cpp", "stages/**/*.hpp", "stages/*/*.cpp"):
         for path in ROOT.glob(pattern):
             code = re.sub(r"//.*", "", path.read_text())
             names.update(IDENTIFIER.findall(code))

@@ -14,8 +14,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "common/rows/column.hpp"
-#include "common/rows/hit_row.hpp"
+#include "stages/6_many_paths/rows/column.hpp"
+#include "stages/6_many_paths/rows/hit_row.hpp"
 #include "common/scene/scene.hpp"
 
 #ifdef LIGHTWALK_ROWS

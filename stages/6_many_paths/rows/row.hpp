@@ -19,7 +19,7 @@
 #include <type_traits>
 
 #include "common/math/vector.hpp"
-#include "common/rows/registers.hpp"
+#include "stages/6_many_paths/rows/registers.hpp"
 
 #ifdef LIGHTWALK_ROWS
 

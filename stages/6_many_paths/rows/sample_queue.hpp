@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "common/render/render.hpp"
-#include "common/rows/hit_row.hpp"
-#include "common/rows/random_row.hpp"
+#include "stages/6_many_paths/rows/hit_row.hpp"
+#include "stages/6_many_paths/rows/random_row.hpp"
 
 #ifdef LIGHTWALK_ROWS
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "common/rows/column.hpp"
+#include "stages/6_many_paths/rows/column.hpp"
 #include "common/scene/material.hpp"
 
 #ifdef LIGHTWALK_ROWS

@@ -4,7 +4,7 @@
 
 #include "common/math/basis.hpp"
 #include "common/math/sine_cosine.hpp"
-#include "common/rows/row.hpp"
+#include "stages/6_many_paths/rows/row.hpp"
 
 #ifdef LIGHTWALK_ROWS
 

@@ -6,7 +6,7 @@
 // would draw: then the numbers are those that the path has alone.
 
 #include "common/math/random.hpp"
-#include "common/rows/vector_row.hpp"
+#include "stages/6_many_paths/rows/vector_row.hpp"
 
 #ifdef LIGHTWALK_ROWS
 

@@ -3,7 +3,7 @@
 // # Rays and hits of many paths
 
 #include "common/geometry/ray.hpp"
-#include "common/rows/vector_row.hpp"
+#include "stages/6_many_paths/rows/vector_row.hpp"
 
 #ifdef LIGHTWALK_ROWS
 

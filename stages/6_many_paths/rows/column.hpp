@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "common/rows/vector_row.hpp"
+#include "stages/6_many_paths/rows/vector_row.hpp"
 
 #ifdef LIGHTWALK_ROWS
 
