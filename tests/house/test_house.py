@@ -21,6 +21,8 @@ PYTHON = re.compile(r"^from (\S+) import (\w+)|^import (\S+)", re.MULTILINE)
 def room(path):
     """common/geometry, stages/3, tests: what the rules are about."""
     first, *rest = path.relative_to(ROOT).parts
+    if path.name == "drawings.py":
+        return "drawings"
     if first == "common" and len(rest) > 1:
         return f"common/{rest[0]}"
     return f"stages/{rest[0][0]}" if first == "stages" and len(rest) > 1 else first
@@ -51,11 +53,13 @@ def arrows():
 
 
 def ranks():
-    """A room may use those of a lower rank; the core's are in its map's order."""
+    """A room may use those of a lower rank; the core's are in its map's order.
+    A chapter's drawings are what the tools draw: they use the tools, and no
+    line imports them back."""
     core = re.findall(r"^## (\w+)", (ROOT / "common/README.md").read_text(), re.MULTILINE)
     order = [f"common/{name}" for name in core] + ["compare", "stages"]
     order += sorted({room(path) for path in stages.stage_headers()})
-    return {name: rank for rank, name in enumerate([*order, "tests", "tools"])}
+    return {name: rank for rank, name in enumerate([*order, "tests", "tools", "drawings"])}
 
 
 class House(unittest.TestCase):

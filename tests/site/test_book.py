@@ -14,7 +14,7 @@ class Book(Copy):
 
     def test_a_figure_that_nobody_makes(self):
         self.change("tools/book/pages/index.md", "{figure} five-stages", "{figure} six-stages")
-        self.assert_refused("book", "figure 'six-stages' is not in figures")
+        self.assert_refused("book", "figure 'six-stages' is in no figures.toml")
 
     def test_a_figure_that_no_script_makes_live(self):
         self.change("tools/book/live/snell.js", 'live("snell"', 'live("snail"')
@@ -33,12 +33,12 @@ class Book(Copy):
 
     def test_a_figure_of_a_chapter_that_nobody_makes(self):
         self.change(STAGE1, "![](hemisphere)", "![](hemispheres)")
-        self.assert_refused("book", f"{STAGE1}:", "figure 'hemispheres' is not in figures.toml")
+        self.assert_refused("book", f"{STAGE1}:", "figure 'hemispheres' is in no figures.toml")
 
     def test_a_figure_that_nobody_shows(self):
         self.change("stages/4_russian_roulette/path_tracer.hpp", "// ![](event-bar)\n", "")
         for tool in ("book", "slides"):
-            self.assert_refused(tool, "figures.toml: no chapter, page or slide shows 'event-bar'")
+            self.assert_refused(tool, "stages/4_russian_roulette/figures.toml: no chapter, page or slide shows 'event-bar'")
 
     def test_a_figure_that_stands_there_twice(self):
         self.change(STAGE1, "// ![](samples)\n", "// ![](samples)\n//\n// ![](hemisphere)\n")
@@ -80,7 +80,7 @@ class Book(Copy):
 class Mistaken(Copy):
     """Figures that show a known mistake."""
 
-    FIGURES = "tools/weave/figures.toml"
+    FIGURES = "stages/2_next_event/figures.toml"
 
     def test_a_mistake_that_nobody_knows(self):
         self.change(self.FIGURES, '"rectangle-without-area"', '"rectangle-without-edges"')

@@ -24,7 +24,7 @@ class Slides(Copy):
 
     def test_a_figure_that_nobody_makes(self):
         self.change("slides/2_next_event.md", "{figure} next-event", "{figure} last-event")
-        self.assert_refused("slides", "figure 'last-event' is not in figures")
+        self.assert_refused("slides", "figure 'last-event' is in no figures.toml")
 
     def test_a_formula_that_is_broken(self):
         self.change("slides/2_next_event.md", r"$$\frac{I}{d^2}$$", r"$$\frac{I}{d^2$$")

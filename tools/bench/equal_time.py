@@ -1,6 +1,6 @@
 """What Russian roulette buys at equal time: measures chapter 4's table.
 
-    python3 -m tools.bench.equal_time    writes tools/weave/equal_time.toml
+    python3 -m tools.bench.equal_time    writes tools/bench/measured/equal_time.toml
 
 Stages 3 and 4 render `scenes/plastic.toml` with several bounds on the bounces,
 on one thread, in turns, with SEEDS seeds each. The variance of a sample is
@@ -19,7 +19,7 @@ from statistics import mean, variance
 from compare.stages import ROOT, SCENES, read_pfm, render
 from tools.bench.machine import machine
 
-TABLE = ROOT / "tools/weave/equal_time.toml"
+TABLE = ROOT / "tools/bench/measured/equal_time.toml"
 SCENE, SIZE, SEEDS = "plastic", "64x64", 6
 # The bound, and the samples of a pixel by each stage.
 RUNS = [(1, 256, 256), (2, 128, 256), (4, 32, 256), (6, 8, 256), (8, 4, 256)]

@@ -100,7 +100,7 @@ def check_every_formula(figures):
         found += formulas(page.read_text(), page.relative_to(ROOT))
     found += formulas("\n".join(symbols_page()), "symbols.toml")
     for name, entry in figures.entries.items():
-        found += formulas(entry["caption"], f"figures.toml, {name}")
+        found += formulas(entry["caption"], f"{entry['file']}, {name}")
     for header in stage_headers():
         for what, text in read_sheet(header).texts():
             found += formulas(text, f"{task_file(header)}, {what}")

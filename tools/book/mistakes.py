@@ -38,6 +38,7 @@ def figure_entry(shown):
     """The pair of pictures, as figures.toml has its figures."""
     return {
         "name": figure_name(shown),
+        "file": "tools/book/gallery.toml",
         "caption": shown["look"],
         "shows": shown["title"] + ":",
         "exposure": "shared",

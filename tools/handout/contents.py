@@ -33,6 +33,8 @@ COMMON = (
     "LICENSE",
     "WORDS.md",
 )
+# What a chapter's folder has besides.
+FOR_THE_BOOK = ("/figures.toml", "/drawings.py")
 ANSWER = re.compile(r'^answer = (?:"""[\s\S]*?"""|"(?:[^"\\]|\\.)*")$', re.MULTILINE)
 IMAGE = re.compile(r'image\s*=\s*"([^"]+)"')
 
@@ -91,7 +93,7 @@ def contents(stage, tracked, solutions):
     for path in tracked:
         number = re.match(r"(?:stages/|tests/stage|tests/golden/stage)(\d)", path)
         if number:
-            if int(number[1]) <= stage:
+            if int(number[1]) <= stage and not path.endswith(FOR_THE_BOOK):
                 chosen.add(path)
         elif any(path == name or (name.endswith("/") and path.startswith(name)) for name in COMMON):
             chosen.add(path)

@@ -25,7 +25,7 @@ def check_live(entries):
     scripts = "".join(path.read_text() for path in [*DRAGGED.glob("*.js"), HERE / "box.js"])
     for name, entry in entries.items():
         if entry.get("live") and f'live("{name}"' not in scripts and f'"{name}": {{' not in scripts:
-            raise Failure(f"figures.toml: {name} is live, and no script says how")
+            raise Failure(f"{entry['file']}: {name} is live, and no script says how")
 
 
 def add_box(static):

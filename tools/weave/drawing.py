@@ -1,4 +1,4 @@
-"""What diagrams are drawn with, as SVG.
+"""What diagrams are drawn with, as SVG: a chapter's drawings.py calls it `d`.
 
 Angles are in degrees from straight up, to the right if positive. Colors are
 those named here, since each has its counterpart for dark pages. Labels are

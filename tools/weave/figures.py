@@ -1,25 +1,15 @@
-"""The figures of the book and the slides: figures.toml says which there are."""
+"""The figures of the book and the slides: a chapter's figures.toml says which it
+has, and its drawings.py draws some of them. What belongs to no chapter is in
+the files of these names beside this one."""
 
+import importlib
 import os
 import re
 import shutil
 import tomllib
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from pathlib import Path
 
 from compare.stages import ROOT, Failure
-from tools.weave import (  # noqa: F401, they register
-    diagrams,
-    diagrams_of_paths,
-    diagrams_of_the_box,
-    diagrams_of_the_slides,
-    diagrams_stage1,
-    diagrams_stage2,
-    diagrams_stage3,
-    diagrams_stage4,
-    diagrams_stage5,
-    diagrams_stage6,
-)
 from tools.weave.drawing import draw
 from tools.weave.png import strip_curve
 from tools.weave.mistaken import build_programs
@@ -29,6 +19,7 @@ REFERENCE = re.compile(r"!\[\]\(([\w-]+)\)$")
 PLACE = re.compile(r"^// !\[\]\(([\w-]+)\)$|^\{figure\} (\S+)", re.M)
 BOOK = ("stages/**/*.hpp", "common/**/*.hpp", "tools/book/pages/*.md")
 SLIDES = ("slides/*.md",)
+FOLDERS = ("tools/weave", "stages/*")
 # A render uses all processors, but for its start and its end.
 MOST_AT_ONCE = 4
 
@@ -47,10 +38,35 @@ def placed_names(patterns):
     return {match[1] or match[2] for text in texts for match in PLACE.finditer(text)}
 
 
+def of_all_folders(name):
+    """The files of this name, with what messages call them."""
+    for folder in FOLDERS:
+        for path in sorted(ROOT.glob(f"{folder}/{name}")):
+            yield path, path.relative_to(ROOT).as_posix()
+
+
+def read_entries():
+    """All that figures.toml say, by the figures' names; `file` says which it was."""
+    found = {}
+    for path, file in of_all_folders("figures.toml"):
+        for entry in tomllib.loads(path.read_text())["figure"]:
+            name = entry["name"]
+            if name in found:
+                raise Failure(f"{file}: '{name}' stands in {found[name]['file']} already")
+            found[name] = entry | {"file": file}
+    return found
+
+
+def load_drawings():
+    """Imports what draws: `diagram` of drawing.py keeps it."""
+    for _, file in of_all_folders("drawings.py"):
+        importlib.import_module(file.removesuffix(".py").replace("/", "."))
+
+
 def one_exposure(entry, options):
     """The options under which a number of radiance looks alike in all panels:
     no step may depend on the picture's own maximum, as `equalize` does."""
-    where = f"figures.toml: {entry['name']}"
+    where = f"{entry['file']}: {entry['name']}"
     if entry["exposure"] != "shared":
         raise Failure(f'{where}: exposure is "shared" or not there')
     for panel in entry["panels"]:
@@ -69,18 +85,16 @@ class Figures:
         self.folder = folder
         self.folder.mkdir(parents=True, exist_ok=True)
         self.made = {}
-        entries = tomllib.loads(Path(__file__).with_suffix(".toml").read_text())["figure"]
-        self.entries = {entry["name"]: entry for entry in entries}
-        if len(self.entries) != len(entries):
-            raise Failure("figures.toml: a name stands there twice")
+        self.entries = read_entries()
         placed = placed_names(BOOK + SLIDES)
-        unused = [name for name in self.entries if name not in placed]
-        if unused:
-            raise Failure(f"figures.toml: no chapter, page or slide shows '{unused[0]}'")
+        for name, entry in self.entries.items():
+            if name not in placed:
+                raise Failure(f"{entry['file']}: no chapter, page or slide shows '{name}'")
+        load_drawings()
 
     def entry(self, name, where=""):
         if name not in self.entries:
-            raise Failure((f"{where}: " if where else "") + f"figure '{name}' is not in figures.toml")
+            raise Failure((f"{where}: " if where else "") + f"figure '{name}' is in no figures.toml")
         return self.entries[name]
 
     def renders(self, entry):

@@ -1,17 +1,17 @@
-"""The drawings of chapter 6."""
+"""Drawings of chapter 6 and its deck."""
 
 import functools
 import re
 import subprocess
 
 from compare.stages import BUILD, ROOT
-from tools.weave.drawing import COOL, FAINT, GLASS, GLOW, GREEN, INK, SAND, SOFT, WARM, diagram, line, text
+from tools.weave import drawing as d
 
 LANES = 16
 STEPS = 40
 
 
-def cell(x, y, width, height, fill, edge=SOFT):
+def cell(x, y, width, height, fill, edge=d.SOFT):
     return f'<rect x="{x:.1f}" y="{y:.1f}" width="{width:.1f}" height="{height:.1f}" fill="{fill}" stroke="{edge}"/>'
 
 
@@ -19,46 +19,46 @@ def row(x, y, words, fill, width=26, height=28):
     for i, word in enumerate(words):
         yield cell(x + i * width, y, width, height, fill)
         if word:
-            yield text(x + (i + 0.5) * width, y + 20, word)
+            yield d.text(x + (i + 0.5) * width, y + 20, word)
 
 
-@diagram("one-and-sixteen", 520, 190)
+@d.diagram("one-and-sixteen", 520, 190)
 def one_and_sixteen():
     """An addition of two numbers, and one of two rows."""
-    for y, fill, sign in ((14, GLASS, ""), (54, SAND, "+"), (108, GLOW, "=")):
+    for y, fill, sign in ((14, d.GLASS, ""), (54, d.SAND, "+"), (108, d.GLOW, "=")):
         yield from row(30, y, [""], fill)
         yield from row(96, y, [""] * LANES, fill)
         for x in (16, 82):
-            yield text(x, y + 20, sign)
-    yield line(24, 95, 62, 95)
-    yield line(90, 95, 516, 95)
-    yield text(43, 166, "one path", INK)
-    yield text(304, 166, "sixteen paths, in the same time")
+            yield d.text(x, y + 20, sign)
+    yield d.line(24, 95, 62, 95)
+    yield d.line(90, 95, 516, 95)
+    yield d.text(43, 166, "one path", d.INK)
+    yield d.text(304, 166, "sixteen paths, in the same time")
 
 
-@diagram("both-branches", 520, 250)
+@d.diagram("both-branches", 520, 250)
 def both_branches():
     """Eight lanes at an if: both branches are worked out, and a mask chooses."""
     glass = [True, False, False, True, False, False, False, True]
     left, width = 190, 40
     rows = (
-        ("is it glass?", ["yes" if g else "no" for g in glass], lambda g: GLOW if g else FAINT, 10),
-        ("refracted", ["r"] * 8, lambda g: GLASS, 66),
-        ("reflected", ["m"] * 8, lambda g: SAND, 106),
-        ("select", ["r" if g else "m" for g in glass], lambda g: GLASS if g else SAND, 176),
+        ("is it glass?", ["yes" if g else "no" for g in glass], lambda g: d.GLOW if g else d.FAINT, 10),
+        ("refracted", ["r"] * 8, lambda g: d.GLASS, 66),
+        ("reflected", ["m"] * 8, lambda g: d.SAND, 106),
+        ("select", ["r" if g else "m" for g in glass], lambda g: d.GLASS if g else d.SAND, 176),
     )
     for name, words, fill, y in rows:
-        yield text(left - 14, y + 22, name, INK, "end")
+        yield d.text(left - 14, y + 22, name, d.INK, "end")
         for i, (word, g) in enumerate(zip(words, glass)):
             yield cell(left + i * width, y, width, 32, fill(g))
-            yield text(left + (i + 0.5) * width, y + 22, word)
+            yield d.text(left + (i + 0.5) * width, y + 22, word)
     for i, g in enumerate(glass):  # beside the letters
         x = left + (i + 0.82) * width
-        yield line(x, 98 if g else 138, x, 172, COOL if g else WARM, 1.6, True)
-    yield text(left + 4 * width, 240, "half of the work is thrown away")
+        yield d.line(x, 98 if g else 138, x, 172, d.COOL if g else d.WARM, 1.6, True)
+    yield d.text(left + 4 * width, 240, "half of the work is thrown away")
 
 
-@diagram("lookup", 520, 230)
+@d.diagram("lookup", 520, 230)
 def lookup():
     """Eight lanes pick from a table that a register holds."""
     table = [".8", ".2", ".8", ".8", ".8", ".3", ".1"]
@@ -66,37 +66,37 @@ def lookup():
     left, width = 150, 44
     for i, value in enumerate(table):
         x = left + (i + 0.5) * width
-        yield text(x, 18, str(i), SOFT)
-        yield cell(left + i * width, 26, width, 32, GLASS)
-        yield text(x, 48, value)
-    yield text(left - 14, 48, "table", INK, "end")
+        yield d.text(x, 18, str(i), d.SOFT)
+        yield cell(left + i * width, 26, width, 32, d.GLASS)
+        yield d.text(x, 48, value)
+    yield d.text(left - 14, 48, "table", d.INK, "end")
     for y, name, words, fill in (
-        (104, "line", [str(i) for i in asked], FAINT),
-        (176, "found", [table[i] for i in asked], GLOW),
+        (104, "line", [str(i) for i in asked], d.FAINT),
+        (176, "found", [table[i] for i in asked], d.GLOW),
     ):
-        yield text(left - 14, y + 22, name, INK, "end")
+        yield d.text(left - 14, y + 22, name, d.INK, "end")
         for i, word in enumerate(words):
             yield cell(left + i * width, y, width, 32, fill)
-            yield text(left + (i + 0.5) * width, y + 22, word)
+            yield d.text(left + (i + 0.5) * width, y + 22, word)
     for i in range(len(asked)):
         x = left + (i + 0.5) * width
-        yield line(x, 138, x, 172, COOL, 1.6, True)
+        yield d.line(x, 138, x, 172, d.COOL, 1.6, True)
 
 
-@diagram("in-their-places", 520, 200)
+@d.diagram("in-their-places", 520, 200)
 def in_their_places():
     """Samples end in one order, and stand in a list in another."""
     ended = [2, 1, 5, 3, 4, 8, 6, 7]
     left, width = 150, 44
-    yield text(left - 14, 34, "as they end", INK, "end")
-    yield text(left - 14, 154, "the list", INK, "end")
+    yield d.text(left - 14, 34, "as they end", d.INK, "end")
+    yield d.text(left - 14, 154, "the list", d.INK, "end")
     for i, sample in enumerate(ended):
-        yield cell(left + i * width, 12, width, 32, SAND)
-        yield text(left + (i + 0.5) * width, 34, str(sample))
-        yield line(left + (i + 0.5) * width, 48, left + (sample - 0.5) * width, 127, COOL, 1.6, True)
-        yield cell(left + i * width, 132, width, 32, GLOW)
-        yield text(left + (i + 0.5) * width, 154, str(i + 1))
-    yield text(left + 4 * width, 194, "added to the film from left to right")
+        yield cell(left + i * width, 12, width, 32, d.SAND)
+        yield d.text(left + (i + 0.5) * width, 34, str(sample))
+        yield d.line(left + (i + 0.5) * width, 48, left + (sample - 0.5) * width, 127, d.COOL, 1.6, True)
+        yield cell(left + i * width, 132, width, 32, d.GLOW)
+        yield d.text(left + (i + 0.5) * width, 154, str(i + 1))
+    yield d.text(left + 4 * width, 194, "added to the film from left to right")
 
 
 @functools.cache
@@ -144,23 +144,23 @@ def busy(blocks):
     return sum(max(0, min(start + n, STEPS) - start) for _, start, n in blocks) / (STEPS * LANES)
 
 
-@diagram("idle-lanes", 520, 330)
+@d.diagram("idle-lanes", 520, 330)
 def idle_lanes():
     """Lanes over time: each block is a path, and what is empty waits."""
-    colors = (GLASS, SAND, GLOW)
+    colors = (d.GLASS, d.SAND, d.GLOW)
     for top, name, place in (
         (0, "all wait for the longest", without_refill),
         (165, "refilled at once", with_refill),
     ):
         blocks = list(place(path_lengths() * 3))
         for lane in range(LANES):
-            yield cell(8, top + 26 + 7 * lane, 504, 7, "none", FAINT)
+            yield cell(8, top + 26 + 7 * lane, 504, 7, "none", d.FAINT)
         for number, (lane, start, length) in enumerate(blocks):
             if start < STEPS:
                 shown = min(length, STEPS - start)
                 yield cell(
                     8 + 504 / STEPS * start, top + 26 + 7 * lane, 504 / STEPS * shown, 7, colors[number % 3]
                 )
-        yield text(8, top + 18, name, INK, "start")
-        yield text(512, top + 18, f"{100 * busy(blocks):.0f} % of the lanes work", GREEN, "end")
-    yield text(260, 324, "one step after the other", SOFT)
+        yield d.text(8, top + 18, name, d.INK, "start")
+        yield d.text(512, top + 18, f"{100 * busy(blocks):.0f} % of the lanes work", d.GREEN, "end")
+    yield d.text(260, 324, "one step after the other", d.SOFT)
