@@ -1,4 +1,4 @@
-"""Figures in README.md, CHANGELOG.md and chapter 6 are those of measured/, or counted here.
+"""Figures in README.md, CHANGELOG.md and chapter 6 are those of tools/bench/measured/, or counted here.
 
 PYTHONPATH=. python3 tests/house/test_figures.py
 """
@@ -10,6 +10,7 @@ from decimal import Decimal
 
 from compare.stages import ROOT, stage_headers
 
+MEASURED = ROOT / "tools/bench/measured"
 WORDS = "zero one two three four five six seven eight nine ten".split()
 BOXES = {
     "point light, diffuse": "cornell_box_point_diffuse",
@@ -34,17 +35,17 @@ def section(text, title):
 
 def peers():
     """Seconds of the processor, and how many times as long Mitsuba takes, by box and program."""
-    found = rows((ROOT / "measured/peers.md").read_text().lower().replace("avx-", "avx"))[1:]
+    found = rows((MEASURED / "peers.md").read_text().lower().replace("avx-", "avx"))[1:]
     return {(box, name): (Decimal(cpu), Decimal(times.split(" ")[0])) for box, name, cpu, times, *_ in found}
 
 
 def rate(benchmark):
     """Items per second of a benchmark."""
-    for name, _, items in rows((ROOT / "measured/benchmarks.md").read_text()):
+    for name, _, items in rows((MEASURED / "benchmarks.md").read_text()):
         if name == benchmark:
             number, unit = items.split(" ")
             return Decimal(number) * {"k/s": 10**3, "M/s": 10**6}[unit]
-    raise AssertionError(f"measured/benchmarks.md has no {benchmark}")
+    raise AssertionError(f"tools/bench/measured/benchmarks.md has no {benchmark}")
 
 
 def differs(figure, measured):
@@ -75,7 +76,7 @@ class Figures(unittest.TestCase):
             for column, figure in zip(head[1:], figures, strict=True):
                 _, times = peers()[BOXES[label], PROGRAMS[column]]
                 self.assert_measured(
-                    f"README.md, Speed: {label}, {column},", figure, "measured/peers.md", times
+                    f"README.md, Speed: {label}, {column},", figure, "tools/bench/measured/peers.md", times
                 )
 
     def test_how_it_was_measured(self):
@@ -90,9 +91,11 @@ class Figures(unittest.TestCase):
                 said, told, f"README.md, Speed: {said}, and tools/bench/peers.py --{option} {told}"
             )
         processors = self.find(
-            r"(\d+) processors", (ROOT / "measured/peers.md").read_text(), "measured/peers.md"
+            r"(\d+) processors", (MEASURED / "peers.md").read_text(), "tools/bench/measured/peers.md"
         )
-        self.assertEqual(WORDS.index(cores), int(processors), "README.md, Speed: cores, measured/peers.md")
+        self.assertEqual(
+            WORDS.index(cores), int(processors), "README.md, Speed: cores, tools/bench/measured/peers.md"
+        )
         for box in BOXES.values():
             size = tomllib.loads((ROOT / f"scenes/{box}.toml").read_text())["camera"]["size"]
             said = self.find(rf"boxes, (\d+) x (\d+) and {samples} samples", self.readme, "README.md")
@@ -105,7 +108,9 @@ class Figures(unittest.TestCase):
             r"100,000 spheres renders at 1/([\d.]+) of the speed of one with ten", self.readme, "README.md"
         )
         measured = rate("cost_of_shapes/spheres/10") / rate("cost_of_shapes/spheres/100000")
-        self.assert_measured("README.md: 100,000 spheres", figure, "measured/benchmarks.md", measured)
+        self.assert_measured(
+            "README.md: 100,000 spheres", figure, "tools/bench/measured/benchmarks.md", measured
+        )
 
     def test_stage_6_beside_stage_5(self):
         found = peers()
@@ -120,13 +125,13 @@ class Figures(unittest.TestCase):
                 lines[0][1:], line[1:], ("stage6, avx2", "stage6, avx512"), strict=True
             ):
                 what = f"chapter 6, What it buys: {line[0]}, {column},"
-                self.assert_measured(what, figure, "measured/peers.md", gain(box, program))
+                self.assert_measured(what, figure, "tools/bench/measured/peers.md", gain(box, program))
         gains = [gain(box, name) for box in BOXES.values() for name in ("stage6, avx2", "stage6, avx512")]
         changes = (ROOT / "CHANGELOG.md").read_text()
         least, most = self.find(r"to the last bit, (\w+) to (\w+) times sooner", changes, "CHANGELOG.md")
         for word, measured in ((least, min(gains)), (most, max(gains))):
             self.assert_measured(
-                "CHANGELOG.md, stage 6", str(WORDS.index(word)), "measured/peers.md", measured
+                "CHANGELOG.md, stage 6", str(WORDS.index(word)), "tools/bench/measured/peers.md", measured
             )
 
     def test_the_mistakes_are_counted(self):
@@ -157,7 +162,7 @@ class Figures(unittest.TestCase):
         first, last = map(
             int, self.find(r"Stages (\d) to (\d) follow one path at a time", self.readme, "README.md")
         )
-        many = [int(path[7]) for path in headers if '/rows/' in (ROOT / path).read_text()]
+        many = [int(path[7]) for path in headers if "/rows/" in (ROOT / path).read_text()]
         single = [int(path[7]) for path in headers if int(path[7]) not in many]
         self.assertEqual(
             list(range(first, last + 1)), single, "README.md: stages that follow one path at a time"

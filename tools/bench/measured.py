@@ -1,4 +1,4 @@
-"""Keeps what was measured in the folder measured/, for the book and the README.
+"""Keeps what was measured in the folder tools/bench/measured/, for the book and the README.
 
     make measured       python3 -m tools.bench.measured
 
@@ -15,7 +15,7 @@ from compare.stages import BUILD, ROOT, Failure
 from tools.bench.machine import machine
 from tools.book.measurements import benchmarks, table
 
-FOLDER = ROOT / "measured"
+FOLDER = ROOT / "tools/bench/measured"
 
 
 def commit_at(time):

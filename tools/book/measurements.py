@@ -6,7 +6,7 @@ from statistics import median
 
 from compare.stages import ROOT, Failure
 
-MEASURED = ROOT / "measured"
+MEASURED = ROOT / "tools/bench/measured"
 
 
 def table(path):
@@ -36,10 +36,10 @@ def benchmarks(path):
 
 
 def measurements_page(source):
-    """The page's lines, from the folder measured/."""
+    """The page's lines, from the folder tools/bench/measured/."""
     for name in ("efficiency.md", "peers.md", "benchmarks.md", "convergence.svg"):
         if not (MEASURED / name).exists():
-            raise Failure(f"measured/{name} is not there: `make measured` writes it")
+            raise Failure(f"tools/bench/measured/{name} is not there: `make measured` writes it")
     (source / "figures").mkdir(parents=True, exist_ok=True)
     shutil.copy(MEASURED / "convergence.svg", source / "figures/convergence.svg")
 
