@@ -38,7 +38,9 @@ class Book(Copy):
     def test_a_figure_that_nobody_shows(self):
         self.change("stages/4_russian_roulette/path_tracer.hpp", "// ![](event-bar)\n", "")
         for tool in ("book", "slides"):
-            self.assert_refused(tool, "stages/4_russian_roulette/figures.toml: no chapter, page or slide shows 'event-bar'")
+            self.assert_refused(
+                tool, "stages/4_russian_roulette/figures.toml: no chapter, page or slide shows 'event-bar'"
+            )
 
     def test_a_figure_that_stands_there_twice(self):
         self.change(STAGE1, "// ![](samples)\n", "// ![](samples)\n//\n// ![](hemisphere)\n")

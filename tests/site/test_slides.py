@@ -1,6 +1,6 @@
 """What the slides refuse: see sources_copy.py."""
 
-from tests.site.sources_copy import STAGE1, STAGE3, Copy
+from tests.site.sources_copy import Copy
 
 
 class Slides(Copy):
@@ -65,24 +65,12 @@ class Slides(Copy):
         self.change("slides/plans.toml", "minutes = 90", "minutes = 60")
         self.assert_refused("slides", "'Five sessions', session 1: takes", "not 60")
 
-
-class Coverage(Copy):
-    def test_a_title_of_the_course_without_a_slide(self):
-        self.change("slides/4_russian_roulette.md", "# Material combinations", "# Combinations")
-        self.assert_refused("slides", "'Material combinations'", "no slide of 4_russian_roulette")
-
-    def test_a_region_that_there_is_not(self):
-        self.change("slides/coverage.toml", 'path_tracer.hpp#refract"', 'path_tracer.hpp#refraction"')
-        self.assert_refused("slides", "coverage.toml", "#refraction: no such")
-
-    def test_a_formula_that_the_chapter_has_not(self):
-        self.change(STAGE3, r"\qquad p(\omega_t) = 1$$", r"\qquad p(\omega_t)$$")
-        self.assert_refused("slides", r"p(\omega_t) = 1 is not in", STAGE3)
-
-    def test_a_formula_that_the_deck_has_not(self):
-        self.change("slides/3_specular_refraction.md", r"$$p(\omega_t) = 1$$", "certain")
-        self.assert_refused("slides", r"p(\omega_t) = 1 is not in", "3_specular_refraction")
-
-    def test_a_trap_where_the_lecture_does_not_stop(self):
-        self.change("slides/2_next_event.md", "<!-- _class: trap -->\n# Counted once", "# Counted once")
-        self.assert_refused("slides", "trap 'Counted once'")
+    def test_a_link_to_a_region_that_there_is_not(self):
+        self.change(
+            "slides/4_russian_roulette.md",
+            "_book: common/geometry/plane.hpp#plane-",
+            "_book: common/geometry/plane.hpp#line-",
+        )
+        self.assert_refused(
+            "slides", "slides/4_russian_roulette.md:", "plane.hpp#line-intersection: no such region"
+        )

@@ -12,7 +12,6 @@ import sys
 
 from compare.stages import BUILD, ROOT, Failure
 from tools.slides.course import course_table, unfilled
-from tools.slides.coverage import check_coverage
 from tools.slides.deck import decks
 from tools.slides.formulas import name_formulas
 from tools.slides.index import index_page
@@ -122,7 +121,6 @@ def main():
     printed = BUILD / "slides-printed"  # what stands on paper leads nowhere
     shutil.rmtree(printed, ignore_errors=True)
     every, course = decks(), course_table()
-    check_coverage()
     figures.make(placed_names(SLIDES))
     for deck in every:
         deck.check()

@@ -3,9 +3,8 @@ and the tests that belong to it. The book is built beside the slides."""
 
 import re
 
-from compare.stages import ROOT
+from compare.stages import ROOT, Failure
 from tools.book.page import page_of, slug
-from tools.slides.coverage import table
 from tools.weave.literate import pieces, region
 
 BOOK = "../book"
@@ -15,16 +14,12 @@ TO_THE_BOOK = re.compile(rf'<a [^>]*href="{re.escape(BOOK)}/[^"]*"[^>]*>(.*?)</a
 
 
 def references(slide):
-    """The regions `path#name` that the slide shows or that tell its title; or
-    what it says itself, `<!-- _book: path or path#name, none, or several -->`."""
+    """The regions `path#name` that the slide shows, or what it says itself,
+    `<!-- _book: path or path#name, none, or several -->`."""
     own = OWN.search(slide.text)
     if own:
         return own[1].split() if own[1] != "none" else []
-    found = REFERENCE.findall(slide.text)
-    for entry in table()["slide"]:
-        if entry["title"] == slide.heading and entry["deck"] == slide.deck.name and "chapter" in entry:
-            found.append(entry["chapter"])
-    return list(dict.fromkeys(found))
+    return list(dict.fromkeys(REFERENCE.findall(slide.text)))
 
 
 def page_address(path):
@@ -58,8 +53,12 @@ def name_of(reference):
 def corner(slide):
     """HTML for the line, or nothing."""
     known = references(slide)
-    links = [f'<a href="{address(one)}">book: {name_of(one)}</a>' for one in known]
-    for page, number in dict.fromkeys(two for one in known for two in exercises_of(one)):
+    try:
+        links = [f'<a href="{address(one)}">book: {name_of(one)}</a>' for one in known]
+        exercises = dict.fromkeys(two for one in known for two in exercises_of(one))
+    except Failure as error:
+        raise Failure(f"{slide.where}: {error}") from None
+    for page, number in exercises:
         place = number.replace(".", "-")
         links.append(f'<a href="{page}#exercise-{place}">exercise {number}</a>')
         links.append(f'<a href="{page}#tests-{place}">its tests</a>')

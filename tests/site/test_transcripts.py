@@ -1,11 +1,9 @@
-"""Transcripts in prose, and its counts: see sources_copy.py."""
+"""Commands in prose, and what they print: see sources_copy.py."""
 
 from tests.site.sources_copy import STAGE3, Copy
 
 
 class Transcripts(Copy):
-    """Commands in prose, and what the prose says that they print."""
-
     def said(self, old, new, *parts):
         self.change(STAGE3, old, new)
         self.assert_refused("book", f"{STAGE3}:", *parts)
@@ -55,30 +53,3 @@ class Transcripts(Copy):
 
     def test_a_command_that_fails(self):
         self.said("> --pixel 170,200", "> --pixel 170,2000", "--pixel 170,2000 --sample 3: ")
-
-
-class Prose(Copy):
-    """The counts of tools.weave.prose."""
-
-    def report(self, *added):
-        old = "// # Stage 3: perfect mirrors and glass\n//\n"
-        self.change(STAGE3, old, old + "".join(f"// {line}".rstrip() + "\n" for line in [*added, ""]))
-        run = self.run_tool("weave.prose")
-        self.assertEqual((run.returncode, run.stderr), (0, ""))
-        return run.stdout
-
-    def test_a_sentence_of_31_words(self):
-        report = self.report(*["word " * 10] * 3, "end.")
-        self.assertIn(f"{STAGE3}:5: 31 words: word word", report)
-
-    def test_a_sentence_of_30_words_with_a_formula_that_is_one(self):
-        report = self.report(*["word " * 10] * 2, "word " * 9 + "$a + b +", "c + d = e + f$.")
-        self.assertNotIn(f"{STAGE3}:5:", report)
-
-    def test_a_paragraph_of_nine_lines(self):
-        self.assertIn(f"{STAGE3}:5: a paragraph of 9 lines", self.report(*["Short."] * 9))
-
-    def test_a_screen_without_figure(self):
-        report = self.report(*["Short.", ""] * 46)
-        self.assertRegex(report, rf"{STAGE3}:3: \d+ lines of prose without a figure")
-        self.assertNotIn(f"{STAGE3}:5: a paragraph", report)
