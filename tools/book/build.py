@@ -20,7 +20,6 @@ from tools.book.keep_together import keep_together
 from tools.book.measurements import measurements_page
 from tools.book.mistakes import figure_entry, mistakes_page, read_gallery
 from tools.book.page import page_of, weave
-from tools.book.sections import write_sections
 from tools.book.set_formulas import set_formulas
 from tools.book.symbols import symbols_page
 from tools.live.build import add_box, check_live
@@ -33,7 +32,7 @@ from tools.weave.transcripts import check_transcripts
 
 HERE = Path(__file__).parent
 PAGES = HERE / "pages"
-STATIC = ("book.css", "keys.js", "contents.js", "scrollers.js", "viewer.js", "search.js", "gallery.css", "gallery.js")
+STATIC = ("book.css", "keys.js", "contents.js", "scrollers.js", "viewer.js", "gallery.css", "gallery.js")
 FONTS = ("source-serif-4", "jetbrains-mono")
 SIDEBAR_FROM = 97  # em of 16 px
 
@@ -144,7 +143,6 @@ def name_levels(book):
 
 def finish(book):
     """What is done to the pages that Sphinx has made."""
-    write_sections(book)
     link_definitions(book, [(header, page_of(header)) for header in woven_headers()])
     set_formulas(book)
     keep_together(book)
@@ -153,8 +151,6 @@ def finish(book):
     # columns beside it.
     style = book / "_static/styles/furo.css"
     style.write_text(style.read_text().replace("max-width:63em", f"max-width:{SIDEBAR_FROM}em"))
-    for unused in ("searchindex.js", "_static/searchtools.js", "_static/language_data.js"):
-        (book / unused).unlink(missing_ok=True)
 
 
 def main():
@@ -168,7 +164,6 @@ def main():
     live = sorted((HERE / "live").glob("*.js"))
     (static / "live.js").write_text("".join(path.read_text() for path in live))
     shutil.copy(HERE / "live/live.css", static)
-    shutil.copy(BUILD / "node/node_modules/minisearch/dist/umd/index.js", static / "minisearch.js")
     copy_fonts(static)
     figures = PlacedFigures(source / "figures")
     check_live(figures.entries)

@@ -36,6 +36,7 @@ html_sidebars = {
 }
 html_show_sourcelink = False
 html_copy_source = False
+html_show_search_summary = False  # it would ask for each page that was found
 html_show_copyright = False
 html_permalinks_icon = "#"
 
