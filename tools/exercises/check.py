@@ -25,7 +25,7 @@ from compare.stages import BUILD, ROOT, Failure, tests_filter
 from tests.runner import report, suite, watch
 from tools.exercises.marks import marks
 from tools.exercises.sheet import headers_with_exercises, read_tasks, title_of
-from tools.exercises.words import plain, say
+from tools.exercises.words import plain
 
 NOTES = BUILD / "check"
 SCREEN = 24
@@ -57,7 +57,7 @@ def header_of(stage):
         if header.parent.name.startswith(f"{stage}_"):
             return header
     known = ", ".join(header.parent.name[0] for header in headers_with_exercises())
-    raise Failure(say("stage {stage} has no exercises in this tree; {known} have", stage=stage, known=known))
+    raise Failure(f"stage {stage} has no exercises in this tree; {known} have")
 
 
 def build(target):
@@ -126,9 +126,9 @@ def late_failure(stage, judged, whole):
 
 
 def list_of(judged):
-    states = {"done": say("done"), "open": say("open"), "wrong": say("wrong")}
     for one in judged:
-        state = states.get(one.state) or say("not run: needs {number}", number=one.needs)
+        known = one.state in ("done", "open", "wrong")
+        state = one.state if known else f"not run: needs {one.needs}"
         yield f"  {one.number:5}{one.title:44}{state}"
 
 
@@ -142,27 +142,27 @@ def explain(one):
     yield ""
     if one.state == "open":
         yield wrapped(plain(one.task["task"]))
-        next_step = say("Write it there, and take out the line that says open_exercise.")
+        next_step = "Write it there, and take out the line that says open_exercise."
     else:
         yield one.says
-        next_step = say("Mend it, and `make check` once more.")
+        next_step = "Fix it, and `make check` once more."
     yield ""
-    yield next_step + " " + say("`make hint` gives a hint, `make watch` checks whenever you save.")
+    yield next_step + " `make hint` gives a hint, `make watch` checks whenever you save."
 
 
 def check(stage):
     """Prints a screenful; True if all is well."""
     header = header_of(stage)
     if not any(BUILD.glob(f"stage{stage}_tests*")):
-        print(say("The tests are compiled for the first time: a minute or more.") + "\n", flush=True)
+        print("The tests are compiled for the first time: a minute or more.\n", flush=True)
     said, made = build(f"stage{stage}_header")
     if not made:
-        print(say("The stage does not compile yet. The first error:") + "\n\n" + first_words(said))
+        print("The stage does not compile yet. The first error:\n\n" + first_words(said))
         return False
     warnings = first_words(said, 12) if "warning:" in said else ""
     said, made = build(f"stage{stage}_tests")
     if not made:
-        print(say("The tests do not compile with this stage: has a name or a type changed?"))
+        print("The tests do not compile with this stage: has a name or a type changed?")
         print("\n" + first_words(said))
         return False
     judged = judge(stage, header)
@@ -180,17 +180,11 @@ def check(stage):
     if not outcome.passed:
         late = late_failure(stage, judged, outcome)
         remember(stage, late)
-        print(
-            say(
-                "Each exercise passes its own tests, but in the whole stage {number} is wrong:",
-                number=late.number,
-            )
-            + "\n"
-        )
+        print(f"Each exercise passes its own tests, but in the whole stage {late.number} is wrong:\n")
         print("\n".join(explain(late)))
         return False
     print(report.summary(outcome))
-    print(say("Stage {stage} is done. `make` paints its picture.", stage=stage))
+    print(f"Stage {stage} is done. `make` paints its picture.")
     return True
 
 
@@ -205,7 +199,7 @@ def hint(stage):
     note = NOTES / f"stage{stage}.json"
     number = json.loads(note.read_text()) if note.exists() else next(iter(tasks), None)
     if number not in tasks:
-        print(say("Every exercise is done: there is nothing to give a hint for."))
+        print("Every exercise is done: there is nothing to give a hint for.")
         return
     shown = NOTES / f"hints{number}"
     count = min(int(shown.read_text()) + 1 if shown.exists() else 1, len(tasks[number]["hints"]))
@@ -215,7 +209,7 @@ def hint(stage):
     for place, text in enumerate(tasks[number]["hints"][:count], 1):
         print(wrapped(plain(f"{place}. {text}")) + "\n")
     left = len(tasks[number]["hints"]) - count
-    print(say("{left} more: `make hint`", left=left) if left else say("That was the last one."))
+    print(f"{left} more: `make hint`" if left else "That was the last one.")
 
 
 def check_at_each_save(stage):
@@ -233,10 +227,7 @@ def check_at_each_save(stage):
                 print("\033[2J\033[H" if sys.stdout.isatty() else "", end="", flush=True)
                 check(stage)
                 picture(stage)
-                print(
-                    "\n" + say("Waiting for {file} to be saved; Ctrl-C ends.", file=header.relative_to(ROOT)),
-                    flush=True,
-                )
+                print(f"\nWaiting for {header.relative_to(ROOT)} to be saved; Ctrl-C ends.", flush=True)
             time.sleep(0.3)
     except KeyboardInterrupt:
         print()
@@ -256,7 +247,7 @@ def picture(stage):
     with contextlib.suppress(watch.Endless), subprocess.Popen(command, **quiet) as process:
         watch.communicate(process)
         if process.returncode == 0:
-            print("\n" + say("What it paints by now: {file}", file=target))
+            print(f"\nWhat it paints by now: {target}")
 
 
 class Parser(argparse.ArgumentParser):

@@ -1,14 +1,6 @@
-"""What `make check` says, in English or Spanish, and formulas as plain text.
+"""Formulas and prose of the chapters as plain text, for a terminal."""
 
-LIGHTWALK_LANGUAGE=es asks for Spanish; else the locale decides. Messages are
-English in the source; messages.es.toml has them in Spanish.
-"""
-
-import functools
-import os
 import re
-import tomllib
-from pathlib import Path
 
 SYMBOLS = {
     r"\omega": "ω",
@@ -41,25 +33,6 @@ SYMBOLS = {
     r"\min": "min",
     r"\Rightarrow": "⇒",
 }
-
-
-def language():
-    """Two letters."""
-    wanted = os.environ.get("LIGHTWALK_LANGUAGE")
-    for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
-        wanted = wanted or os.environ.get(name)
-    return (wanted or "en")[:2].lower()
-
-
-@functools.cache
-def catalogue(code):
-    path = Path(__file__).with_name(f"messages.{code}.toml")
-    return tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-
-
-def say(message, **values):
-    """The message in the user's language, with its values."""
-    return catalogue(language()).get(message, message).format(**values)
 
 
 def formula(text):

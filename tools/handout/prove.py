@@ -102,7 +102,7 @@ class Student:
             capture_output=True,
             text=True,
             errors="backslashreplace",
-            env=os.environ | {"LIGHTWALK_BUILD": str(self.build), "LIGHTWALK_LANGUAGE": "en"},
+            env=os.environ | {"LIGHTWALK_BUILD": str(self.build)},
             **options,
         )
 
