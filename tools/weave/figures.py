@@ -11,8 +11,8 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 
 from compare.stages import ROOT, Failure
 from tools.weave.drawing import draw
-from tools.weave.png import strip_curve
 from tools.weave.mistaken import build_programs
+from tools.weave.png import strip_curve
 from tools.weave.renders import Render, spent
 
 REFERENCE = re.compile(r"!\[\]\(([\w-]+)\)$")
