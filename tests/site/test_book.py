@@ -70,6 +70,10 @@ class Book(Copy):
         self.change(STAGE1, "on; `throughput` is", "on; `throughputs` is")
         self.assert_refused("book", STAGE1, "`throughputs` is not in the code")
 
+    def test_a_wish_to_cmake_that_it_does_not_know(self):
+        self.change("stages/6_many_paths/path_tracer.hpp", "`-DLIGHTWALK_NATIVE=", "`-DLIGHTWALK_NAIVE=")
+        self.assert_refused("book", "`-DLIGHTWALK_NAIVE=OFF` is not in the code")
+
     def test_a_reference_that_leads_nowhere(self):
         self.change(
             "tools/book/pages/further_reading.md",

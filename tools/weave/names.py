@@ -28,6 +28,9 @@ def exists(code):
     option = re.match(r"--([a-z-]+)", code)
     if option:
         return any(f'"--{option[1]}' in path.read_text() for path in ROOT.glob("common/program/*.?pp"))
+    wish = re.match(r"-D(\w+)=", code)
+    if wish:
+        return any(f"option({wish[1]} " in path.read_text() for path in ROOT.glob("cmake/*.cmake"))
     words = IDENTIFIER.findall(re.sub(r'"[^"]*"', "", code))
     return all(word in known_names() for word in words)
 
