@@ -27,7 +27,8 @@ def exists(code):
         return True
     option = re.match(r"--([a-z-]+)", code)
     if option:
-        return any(f'"--{option[1]}' in path.read_text() for path in ROOT.glob("common/program/*.?pp"))
+        told = re.compile(rf'"(-\w,)?--{option[1]}')
+        return any(told.search(path.read_text()) for path in ROOT.glob("common/program/*.?pp"))
     wish = re.match(r"-D(\w+)=", code)
     if wish:
         return any(f"option({wish[1]} " in path.read_text() for path in ROOT.glob("cmake/*.cmake"))
