@@ -59,14 +59,19 @@ def write(path, lines):
     path.write_text("\n".join(lines) + "\n")
 
 
+def check_every_name():
+    for header in woven_headers():
+        check_names(header)
+    for header in stage_headers():
+        for what, text in read_sheet(header).texts():
+            check_text(text, f"{task_file(header)}: {what}")
+
+
 def write_source(source, figures, *gallery):
     bare = ["---", "hide-toc: true", "---", ""]
     chapters = stage_headers()
     for header in woven_headers():
-        check_names(header)
         sheet = read_sheet(header) if header in chapters else None
-        for what, text in sheet.texts() if sheet else ():
-            check_text(text, f"{task_file(header)}: {what}")
         write(source / f"{page_of(header)}.md", bare + weave(header, figures, sheet))
     for page in PAGES.glob("*.md"):
         if page.name != "index.md":
@@ -171,9 +176,11 @@ def main():
     pairs, why = read_gallery(catalogue)
     shown = {entry["name"]: entry for entry in (figure_entry(one) for _, one in pairs)}
     figures.entries |= shown
+    # What takes seconds to check comes before the figures, which take minutes.
+    check_every_name()
+    check_every_formula(figures)
     figures.make(placed_names(BOOK) | shown.keys())
     write_source(source, figures, catalogue, pairs, why)
-    check_every_formula(figures)
     for header in woven_headers():
         check_transcripts(header)
     if "--check" in sys.argv[1:]:
