@@ -51,11 +51,15 @@ def tests_filter(beginnings):
     return ",".join(re.sub(r"[,'\"*\\]", "?", begin) + "*" for begin in beginnings)
 
 
-def test_names(folder):
-    """The names of the test cases in the folder's sources, file by file."""
+def test_names(suite):
+    """The names of the test cases of "core" or "stage3", file by file: of what
+    every stage must do, too, from its first stage on."""
+    sources = sorted((ROOT / "tests" / suite).glob("*.cpp"))
+    if suite.startswith("stage"):
+        sources += sorted((ROOT / "tests/every_stage").glob(f"from_stage[1-{suite[5:]}].cpp"))
     literal = r'"(?:[^"\\]|\\.)*"'
     names = []
-    for path in sorted(folder.glob("*.cpp")):
+    for path in sources:
         for case in re.findall(rf"TEST_CASE\(\s*((?:{literal}\s*)+)\)", path.read_text()):
             names.append("".join(one[1:-1] for one in re.findall(literal, case)))
     return names

@@ -58,7 +58,8 @@ set(leak_options
     "LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/leaks.supp:print_suppressions=0"
 )
 
-# add_suite(NAME): NAME_tests, from the folder NAME. Its sources are compiled as
+# add_suite(NAME): NAME_tests, from the folder NAME, and for a stage from what
+# every stage must do since one before it, or since this one. They are compiled as
 # one file, or a few where there are many, after a precompiled header of all
 # that they include and no stage changes: a third of the time. Each has a
 # namespace of its own, since each has helpers of the same names. What replaces
@@ -67,10 +68,15 @@ function(add_suite name)
   file(GLOB sources CONFIGURE_DEPENDS ${name}/test_*.cpp)
   file(GLOB others CONFIGURE_DEPENDS ${name}/*.cpp)
   list(FILTER others EXCLUDE REGEX "/test_[^/]*$")
-  if(NOT sources) # a stage that is being written
-    return()
-  endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/generated/${name})
+  if(name MATCHES "^stage([1-9])$")
+    set(stage_number ${CMAKE_MATCH_1})
+    file(GLOB stage_header RELATIVE ${CMAKE_SOURCE_DIR}
+         ${CMAKE_SOURCE_DIR}/stages/${stage_number}_*/path_tracer.hpp)
+    configure_file(every_stage/stage.hpp.in ${folder}/stage.hpp @ONLY)
+    file(GLOB shared CONFIGURE_DEPENDS every_stage/from_stage[1-${stage_number}].cpp)
+    list(PREPEND sources ${shared})
+  endif()
   set(given "#pragma once\n#include <doctest/doctest.h>\n")
   set(stage_includes "#include \"given.hpp\"\n")
   set(number 0)
@@ -78,7 +84,7 @@ function(add_suite name)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
     file(STRINGS ${source} includes REGEX "^#include ")
     foreach(include IN LISTS includes)
-      if(include MATCHES "\"stages/")
+      if(include MATCHES "\"(stages/|stage\\.hpp)")
         string(APPEND stage_includes "${include}\n")
       else()
         string(APPEND given "${include}\n")

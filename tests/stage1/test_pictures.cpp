@@ -25,22 +25,4 @@ TEST_CASE("uniform and cosine sampling paint the same picture") {
   check_same(uniform, 256, cosine);
 }
 
-TEST_CASE("the same bits for any number of threads, other noise for a seed") {
-  const Scene scene = scene_file("cornell_box_ceiling_diffuse", 30, 21);
-  RenderSettings settings;
-  settings.samples_per_pixel = 5;
-  settings.threads = 1;
-  const RenderResult one = paint<PathTracer>(scene, settings);
-  for (const int threads : {1, 2, 7}) {
-    CAPTURE(threads);
-    settings.threads = threads;
-    const RenderResult again = paint<PathTracer>(scene, settings);
-    check_same_bits(again, one);
-  }
-  settings.seed = 2;
-  settings.threads = 2;
-  const RenderResult other = paint<PathTracer>(scene, settings);
-  check_other_noise(other, one);
-}
-
 TEST_SUITE_END();

@@ -43,25 +43,6 @@ TEST_CASE("asking the lamps gives the picture that finding them gives") {
   }
 }
 
-TEST_CASE("the same bits for any number of threads, other noise for a seed") {
-  const Scene scene = scene_file("cornell_box_lamp_diffuse", 30, 21);
-  RenderSettings settings;
-  settings.samples_per_pixel = 5;
-  settings.max_bounces = 8;
-  settings.threads = 1;
-  const auto one = paint<stage2::PathTracer>(scene, settings);
-  for (const int threads : {1, 2, 7}) {
-    CAPTURE(threads);
-    settings.threads = threads;
-    const auto again = paint<stage2::PathTracer>(scene, settings);
-    check_same_bits(again, one);
-  }
-  settings.seed = 2;
-  settings.threads = 2;
-  const auto other = paint<stage2::PathTracer>(scene, settings);
-  check_other_noise(other, one);
-}
-
 TEST_CASE("uniform and cosine sampling paint the same picture") {
   const Scene scene = scene_file("cornell_box_point_diffuse", 24, 24);
   RenderSettings settings;

@@ -6,7 +6,6 @@
 #include "support/comparisons.hpp"
 #include "support/exact_radiance.hpp"
 #include "support/expectations.hpp"
-#include "support/specular_scenes.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
@@ -88,31 +87,6 @@ TEST_CASE("a diffuse wall under a lamp: kd ke F, counted once") {
   }
 }
 
-// From the floor to the mirror to the lamp: the floor asked the lamp, which
-// hid its light from it, and the mirror asked nobody.
-TEST_CASE("a lamp in a mirror lights the floor") {
-  const Scene scene = mirrored_lamp();
-  RenderSettings settings;
-  settings.max_bounces = 2;
-  const Pixel pixel = estimate(PathTracer(scene, settings),
-                               {{0, 0.5f, 0}, {0, -1, 0}}, 50'000);
-  check_mean("a floor lit by a lamp's image in a mirror, kd ks ke F", pixel,
-             0, mirrored_lamp_radiance());
-}
-
-// The glass hides the lamp from the floor's shadow rays: straight through it
-// would be wrong, since glass bends light.
-TEST_CASE("glass casts a shadow") {
-  const Scene scene = scene_text(floor_of("{ kd = 0.5 }") + point_light +
-                                 "[[shapes]]\ntype = \"sphere\"\n"
-                                 "center = [0, 0.6, 0]\nradius = 0.2\n"
-                                 "material = \"glass\"\n[materials.glass]\n"
-                                 "kt = 1\n");
-  const Ray under{{0, 0.01f, 0}, {0, -1, 0}};
-  check_color("a floor under a point light with a glass ball between",
-              one_sample(scene, under, 1), Vec3(0));
-}
-
 TEST_SUITE_END();
 
 TEST_SUITE_BEGIN("relations");
@@ -131,20 +105,6 @@ TEST_CASE("without specular lobes the picture is stage 2's") {
     const auto second = paint<stage2::PathTracer>(scene, settings);
     check_same(renderer<PathTracer>(scene, settings), 64, second);
   }
-}
-
-TEST_CASE("the lab's box: the same bits for any number of threads") {
-  const Scene scene = scene_file("cornell_box_ceiling", 20, 13);
-  RenderSettings settings;
-  settings.samples_per_pixel = 4;
-  settings.max_bounces = 6;
-  settings.threads = 1;
-  const auto one = paint<PathTracer>(scene, settings);
-  settings.threads = 7;
-  const auto many = paint<PathTracer>(scene, settings);
-  check_same_bits(many, one);
-  CHECK(one.info.rays == many.info.rays);
-  CHECK(one.info.dropped == 0);
 }
 
 TEST_SUITE_END();

@@ -113,12 +113,4 @@ TEST_CASE("plastic shows the lamp that it mirrors") {
              4 * (0.4 / 4 + 0.3));
 }
 
-// From the floor to the mirror to the lamp: the mirror asked nobody.
-TEST_CASE("a lamp in a mirror lights the floor") {
-  const Scene scene = mirrored_lamp();
-  const Pixel pixel = estimate(PathTracer(scene, bounces(2)), down, 100'000);
-  check_mean("a floor lit by a lamp's image in a mirror, kd ks ke F", pixel,
-             0, mirrored_lamp_radiance());
-}
-
 TEST_SUITE_END();

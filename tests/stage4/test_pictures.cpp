@@ -44,20 +44,4 @@ TEST_CASE("rays per sample do not grow with the bound, as stage 3's do") {
   CHECK(branching.info.rays > 30 * roulette.info.rays);
 }
 
-TEST_CASE("the lab's box: the same bits for any number of threads") {
-  const Scene scene = scene_file("cornell_box_point", 30, 21);
-  RenderSettings settings;
-  settings.samples_per_pixel = 5;
-  settings.threads = 1;
-  const auto one = paint<PathTracer>(scene, settings);
-  settings.threads = 7;
-  const auto many = paint<PathTracer>(scene, settings);
-  check_same_bits(many, one);
-  CHECK(one.info.dropped == 0);
-  settings.seed = 2;
-  settings.threads = 2;
-  const auto other = paint<PathTracer>(scene, settings);
-  check_other_noise(other, one);
-}
-
 TEST_SUITE_END();

@@ -107,19 +107,4 @@ TEST_CASE("glass by Fresnel reflects more at its rim than glass without") {
   check_value("ks without fresnel, at 80 degrees", reflected(0.5f, 80), 0.1);
 }
 
-TEST_CASE("the same bits for any number of threads, other noise for a seed") {
-  const Scene scene = scene_file("checkered_floor", 30, 21);
-  RenderSettings settings;
-  settings.samples_per_pixel = 5;
-  settings.threads = 1;
-  const auto one = paint<PathTracer>(scene, settings);
-  settings.threads = 7;
-  const auto many = paint<PathTracer>(scene, settings);
-  check_same_bits(many, one);
-  settings.seed = 2;
-  settings.threads = 2;
-  const auto other = paint<PathTracer>(scene, settings);
-  check_other_noise(other, one);
-}
-
 TEST_SUITE_END();

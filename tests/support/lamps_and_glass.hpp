@@ -78,16 +78,18 @@ void check_room_seen_from_inside_glass() {
   }
 }
 
-/// The floor is lit by way of a mirror alone.
+/// From the floor to the mirror to the lamp: the floor asked the lamp, whose
+/// back it sees, and the mirror asked nobody.
 template <class PathTracer>
 void check_lamp_in_a_mirror_lights_the_floor() {
   check_radiance<PathTracer>("a floor under a mirror and a lamp's back",
                              mirrored_lamp(), {{0, 0.5f, 0}, {0, -1, 0}},
                              with_bounces(2),
-                             DoubleVec3(mirrored_lamp_radiance()), 50'000);
+                             DoubleVec3(mirrored_lamp_radiance()), 100'000);
 }
 
-/// Shadow rays do not go through glass.
+/// Shadow rays do not go through glass: glass bends light, so a straight line
+/// through it would be wrong.
 template <class PathTracer>
 void check_glass_casts_a_shadow() {
   const Scene scene =
@@ -122,7 +124,8 @@ void check_endless_path_ends() {
   CHECK(rays < 50);
 }
 
-/// A wall that returns half of the light lets half of the paths live.
+/// Roulette may wait, but by bounce 16 it has begun, and then lets half of the
+/// paths live at most: 16 + 2 rays on average.
 template <class PathTracer>
 void check_path_on_a_dark_wall_is_short() {
   const Scene scene = scene_text("[materials]\nwall = { kd = 0.5 }\n" +

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import SimpleNamespace
 
-from compare.stages import ROOT, stage_headers, test_names
+from compare.stages import stage_headers, test_names
 from tests.mistakes.mistakes import CATALOGUE, Mistake, changed_header, read_mistakes
 from tools.book.page import page_of
 
@@ -75,7 +75,7 @@ def read_catalogue():
     for header in stage_headers():
         stage = header.parent.name[0]
         path = CATALOGUE / f"stage{stage}.toml"
-        tests = test_names(ROOT / f"tests/stage{stage}")
+        tests = test_names(f"stage{stage}")
         for mistake in read_mistakes(path) if path.exists() else []:
             begin = mistake.caught_by
             test = next((t for t in tests if begin and t.startswith(begin)), begin)

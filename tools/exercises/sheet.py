@@ -119,7 +119,7 @@ def checked(entry, mark, where):
             raise Failure(f"{where}: {key} is {entry[key]}, not 1 or more")
     if not entry["tests"]:
         raise Failure(f"{where}: no test checks it")
-    names = test_names(ROOT / "tests" / f"stage{mark.number.split('.')[0]}")
+    names = test_names(f"stage{mark.number.split('.')[0]}")
     for test in entry["tests"] + entry.get("later", []):
         if not test or not any(name.startswith(test) for name in names):
             raise Failure(f'{where}: no test case of its stage begins "{test}"')

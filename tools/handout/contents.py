@@ -21,6 +21,7 @@ COMMON = (
     "stages/introductions.hpp",
     "compare/",
     "tests/__init__.py",
+    "tests/every_stage/",
     "tests/runner/",
     "tests/support/",
     "tests/suites.cmake",
@@ -91,7 +92,7 @@ def contents(stage, tracked, solutions):
         raise Failure(f"stage {stage} has no exercise: {headers[stage].relative_to(ROOT)} has no mark")
     chosen = set(scenes_until(stage, tracked))
     for path in tracked:
-        number = re.match(r"(?:stages/|tests/stage|tests/golden/stage)(\d)", path)
+        number = re.match(r"(?:stages/|tests/(?:every_stage/from_|golden/)?stage)(\d)", path)
         if number:
             if int(number[1]) <= stage and not path.endswith(FOR_THE_BOOK):
                 chosen.add(path)

@@ -80,7 +80,7 @@ def check_contents():
             for path, line in leaks(files, opened, solved):
                 raise Failure(f"stage {stage}, {solutions}: {path} holds a line of a solution: {line}")
             for path in files:
-                later = re.match(r"(?:stages/|tests/stage|tests/golden/(?:\w+/)?stage)(\d)", path)
+                later = re.match(r"(?:stages/|tests/(?:every_stage/from_|golden/(?:\w+/)?)?stage)(\d)", path)
                 if later and int(later[1]) > stage:
                     raise Failure(f"stage {stage}: {path} belongs to a later stage")
                 if path.startswith(("tests/mistakes/", "tests/mutants/", "slides/")):

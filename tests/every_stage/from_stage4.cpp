@@ -1,0 +1,19 @@
+// What every path tracer must do that ends paths by roulette.
+
+#include "stage.hpp"
+#include "support/lamps_and_glass.hpp"
+
+using namespace lightwalk;
+using namespace lightwalk::tests;
+
+TEST_SUITE_BEGIN("analytic scenes");
+
+TEST_CASE("a path that glass never lets out ends") {
+  check_endless_path_ends<PathTracer>();
+}
+
+TEST_CASE("a path on a dark wall is over soon") {
+  check_path_on_a_dark_wall_is_short<PathTracer>();
+}
+
+TEST_SUITE_END();
