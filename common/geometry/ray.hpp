@@ -2,7 +2,11 @@
 
 // # Rays and hits
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "common/math/vector.hpp"
 
@@ -24,6 +28,13 @@ struct Ray {
 };
 
 enum class ShapeType : std::uint8_t { plane, sphere, rectangle, triangle };
+inline constexpr std::array<std::string_view, 4> shape_names = {
+    "plane", "sphere", "rectangle", "triangle"};
+
+/// What messages call a shape.
+inline std::string shape_name(ShapeType type) {
+  return std::string(shape_names[static_cast<std::size_t>(type)]);
+}
 
 /// Where a ray meets a surface.
 struct Hit {

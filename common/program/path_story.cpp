@@ -93,19 +93,6 @@ std::vector<std::vector<Branch>> branches(const PathLog& log) {
 
 // ## Vertices in words
 
-std::string shape_name(ShapeType type) {
-  switch (type) {
-    case ShapeType::plane:
-      return "plane";
-    case ShapeType::sphere:
-      return "sphere";
-    case ShapeType::rectangle:
-      return "rectangle";
-    default:
-      return "triangle";
-  }
-}
-
 bool is_outside(const PathVertex& vertex) {
   return dot(vertex.hit.normal, vertex.wo) > 0;
 }

@@ -41,12 +41,20 @@ class ShapeReader {
     const toml::node* type = node.as_table()->get("type");
     if (!type) fail_at(node, "a shape needs 'type'");
     const std::string name = read_string(*type, "'type' of a shape");
-    if (name == "plane") return read_plane(node);
-    if (name == "sphere") return read_sphere(node);
-    if (name == "rectangle") return read_rectangle(node);
-    if (name == "triangle") return read_triangle(node);
-    const char* types[] = {"plane", "sphere", "rectangle", "triangle"};
-    fail_at(*type, "'type' of a shape: " + none_of(name, types));
+    const auto found = std::ranges::find(shape_names, name);
+    if (found == shape_names.end()) {
+      fail_at(*type, "'type' of a shape: " + none_of(name, shape_names));
+    }
+    switch (static_cast<ShapeType>(found - shape_names.begin())) {
+      case ShapeType::plane:
+        return read_plane(node);
+      case ShapeType::sphere:
+        return read_sphere(node);
+      case ShapeType::rectangle:
+        return read_rectangle(node);
+      case ShapeType::triangle:
+        return read_triangle(node);
+    }
   }
 
  private:

@@ -82,10 +82,8 @@ std::string seen_in(const LoadedScene& loaded, const Region& region) {
       const auto hit =
           scene.nearest_hit(scene.camera.ray(x, y, Vec2(0.5f, 0.5f)));
       if (!hit) continue;
-      static const char* shapes[] = {"the plane", "the sphere",
-                                     "the rectangle", "the triangle"};
-      ++seen[std::string(shapes[static_cast<int>(hit->shape_type)]) +
-             " of '" + loaded.material_names.at(hit->material) + "'"];
+      ++seen["the " + shape_name(hit->shape_type) + " of '" +
+             loaded.material_names.at(hit->material) + "'"];
     }
   }
   std::string most;
