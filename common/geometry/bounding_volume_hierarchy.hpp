@@ -70,14 +70,6 @@ class BoundingVolumeHierarchy {
   /// How many nodes are above each other.
   int levels() const { return levels_; }
 
-  /// Shapes whose bounds are all the same: no tree can tell them apart.
-  struct Crowd {
-    std::size_t count = 0;
-    std::uint32_t first = no_shape;  ///< the least of their indices
-  };
-  /// The largest crowd, if it is more than a pack.
-  const Crowd& crowd() const { return crowd_; }
-
   // #region walk
   /// Calls `visit(pack)` for the packs that the ray may meet, the nearest of
   /// a node's boxes first. It returns the distance up to which hits still
@@ -117,26 +109,6 @@ class BoundingVolumeHierarchy {
   }
   // #endregion walk
 
-  /// Calls `visit(pack)` for the packs whose boxes meet this one, in their
-  /// order, until it returns false.
-  template <class Visit>
-  void visit_near(const Bounds& box, Visit visit) const {
-    std::array<std::int32_t, stack_size> later{};
-    std::size_t height = 1;
-    while (height > 0) {
-      const std::int32_t next = later[--height];
-      if (next < 0) {
-        if (!visit(static_cast<std::uint32_t>(~next))) return;
-        continue;
-      }
-      const Node& node = nodes_[static_cast<std::size_t>(next)];
-      const unsigned lanes = lanes_of(node.boxes.meet(box));
-      for (int lane = lane_count - 1; lane >= 0; --lane) {
-        if (lanes >> lane & 1) later[height++] = node.child[lane];
-      }
-    }
-  }
-
  private:
   using Item = bvh::Item;
   using Part = bvh::Part;
@@ -172,7 +144,8 @@ class BoundingVolumeHierarchy {
           std::max_element(parts.begin(), parts.end(), matters_less);
       if (most->fits_a_pack()) break;
       const Part part = *most;
-      Item* const middle = halved ? part.begin + part.size() / 2 : cut(part);
+      Item* const middle =
+          halved ? part.begin + part.size() / 2 : bvh::cut(part);
       *most = Part(part.begin, middle);
       parts.emplace_back(middle, part.end);
     }
@@ -196,24 +169,8 @@ class BoundingVolumeHierarchy {
     return ~pack;
   }
 
-  /// Arranges a part in two, and returns where the second begins.
-  Item* cut(const Part& part) {
-    const bvh::Cut best = bvh::best_cut(part);
-    if (best.all_are_equal) note_crowd(part);
-    return bvh::arrange(part, best);
-  }
-
-  void note_crowd(const Part& part) {
-    if (static_cast<std::size_t>(part.size()) <= crowd_.count) return;
-    crowd_ = {static_cast<std::size_t>(part.size()), no_shape};
-    for (const Item* item = part.begin; item != part.end; ++item) {
-      crowd_.first = std::min(crowd_.first, item->shape);
-    }
-  }
-
   std::vector<Node> nodes_;
   int halved_from_ = deepest_cut, levels_ = 0;
-  Crowd crowd_;
 };
 
 }  // namespace lightwalk

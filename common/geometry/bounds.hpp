@@ -80,14 +80,6 @@ struct BoundsPack {
     corners[0].set(lane, box.low);
     corners[1].set(lane, box.high);
   }
-
-  /// Which of them have a point in common with this one.
-  Int8 meet(const Bounds& box) const {
-    const auto& [low, high] = corners;
-    return (low.x <= box.high.x) & (high.x >= box.low.x) &
-           (low.y <= box.high.y) & (high.y >= box.low.y) &
-           (low.z <= box.high.z) & (high.z >= box.low.z);
-  }
 };
 
 // ## Meeting a box

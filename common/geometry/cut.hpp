@@ -67,7 +67,6 @@ struct Cut {
   float work = infinity;  ///< of rays, after it
   int by = 0, bin = 0;
   float low = 0, extent = 0;  ///< of all keys
-  bool all_are_equal = false;
 
   int bin_of(const Item& item) const {
     const float share = (sorting_key(item, by) - low) / extent;
@@ -126,16 +125,16 @@ inline Cut best_cut(const Part& part) {
   for (int axis = 0; axis < 3; ++axis) {
     improve(best, part, axis + 3, sizes.low[axis], sizes.high[axis]);
   }
-  best.all_are_equal = sizes.low == sizes.high && centers.low == centers.high;
   return best;
 }
 
 /// Arranges a part in two, and returns where the second begins. Where there
 /// is no cut, any halves will do.
-inline Item* arrange(const Part& part, const Cut& cut) {
-  if (!(cut.work < infinity)) return part.begin + part.size() / 2;
+inline Item* cut(const Part& part) {
+  const Cut best = best_cut(part);
+  if (!(best.work < infinity)) return part.begin + part.size() / 2;
   return std::partition(part.begin, part.end, [&](const Item& item) {
-    return cut.bin_of(item) < cut.bin;
+    return best.bin_of(item) < best.bin;
   });
 }
 

@@ -65,28 +65,6 @@ class Geometry {
     std::apply([](auto&... list) { (list.prepare(), ...); }, lists_);
   }
 
-  /// Shapes of one type that have the same bounds: each ray that comes near
-  /// tries all of them.
-  struct Crowd {
-    ShapeType type;
-    std::size_t count;
-    std::size_t first;  ///< the least of their indices
-  };
-  /// The largest crowd of prepared shapes; of none where there is no crowd.
-  Crowd crowd() const {
-    Crowd largest{ShapeType::plane, 0, 0};
-    ShapeType type = ShapeType::plane;
-    const auto look = [&](const auto& list) {
-      const auto& crowd = list.tree().crowd();
-      if (crowd.count > largest.count) {
-        largest = {type, crowd.count, crowd.first};
-      }
-      type = static_cast<ShapeType>(static_cast<int>(type) + 1);
-    };
-    std::apply([&](const auto&... list) { (look(list), ...); }, lists_);
-    return largest;
-  }
-
   /// Calls `use(shape, hit)` for each shape, in the order of the slots, with
   /// what is the same in all of its hits.
   template <class Use>

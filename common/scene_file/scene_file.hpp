@@ -15,8 +15,7 @@
 #include "common/image/file_path.hpp"
 #include "common/render/render_settings.hpp"
 #include "common/scene/scene.hpp"
-#include "common/scene_file/coincident_shapes.hpp"
-#include "common/scene_file/crowded_shapes.hpp"
+#include "common/scene_file/duplicate_shapes.hpp"
 #include "common/scene_file/loaded_scene.hpp"
 #include "common/scene_file/material_reader.hpp"
 #include "common/scene_file/sha256.hpp"
@@ -184,7 +183,6 @@ inline std::string read_scene_text(const std::string& path) {
 /// Reads the scene of a TOML text; `path` is what error messages call it.
 inline LoadedScene parse_scene(std::string_view text, const std::string& path,
                                const Syllabus& syllabus) {
-  check_extent(text, path);
   toml::table root;
   try {
     root = toml::parse(text, path);
@@ -196,9 +194,8 @@ inline LoadedScene parse_scene(std::string_view text, const std::string& path,
       SceneReader(syllabus, name_of(file_path(path).parent_path()))
           .read(root);
   loaded.sha256 = sha256(text);
-  for (const auto& warning :
-       {coincident_shapes(loaded), crowded_shapes(loaded)}) {
-    if (warning) loaded.warnings.push_back(path + ':' + *warning);
+  if (const auto warning = duplicate_shapes(loaded)) {
+    loaded.warnings.push_back(path + ':' + *warning);
   }
   return loaded;
 }

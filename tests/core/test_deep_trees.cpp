@@ -5,12 +5,10 @@
 
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "common/geometry/geometry.hpp"
 #include "common/scene/material.hpp"
-#include "common/scene_file/scene_file.hpp"
 #include "tests/core/vectors.hpp"
 
 using namespace lightwalk;
@@ -61,7 +59,7 @@ TEST_CASE("a tree of shapes in one place is as low as it can be") {
 }
 
 // Each sphere is 17 times as far away as the one before, so each cut takes
-// one away. The crowd in the middle cannot be cut at all.
+// one away. Those in the middle cannot be cut at all.
 TEST_CASE("a tree that is cut as badly as can be has room to be walked") {
   std::vector<Sphere> spheres(600, sphere(Vec3(0), 1e-9f));
   for (int axis = 0; axis < 3; ++axis) {
@@ -124,41 +122,4 @@ TEST_CASE("of shells about one center the inner ones are not tried") {
     CHECK(tried > 0);
     CHECK(tried < packs / 2);
   }
-}
-
-TEST_CASE("the largest crowd of shapes in one place is known") {
-  Geometry geometry;
-  for (const Sphere& one : random_spheres(200)) geometry.add(one);
-  for (int i = 0; i < 100; ++i) geometry.add(sphere({1, 2, 3}, 0.5f));
-  for (int i = 0; i < 300; ++i) geometry.add(sphere({1, 2, 3}, 2));
-  for (int i = 0; i < 99; ++i) {
-    geometry.add(Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, &material});
-  }
-  CHECK(geometry.crowd().count == 0);
-  geometry.prepare();
-  CHECK(geometry.crowd().type == ShapeType::sphere);
-  CHECK(geometry.crowd().count == 300);
-  CHECK(geometry.crowd().first == 300);
-}
-
-TEST_CASE("a scene is told of very many shapes in one place") {
-  std::string text =
-      "[camera]\norigin = [0, 0, -4]\nleft = [-1, 0, 0]\nup = [0, 1, 0]\n"
-      "forward = [0, 0, 3]\n[materials]\nwhite = { kd = 0.5 }\n";
-  const auto add = [&](const std::string& radius) {
-    text += "[[shapes]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = " +
-            radius + "\nmaterial = \"white\"\n";
-  };
-  const auto warnings = [&] {
-    return parse_scene(text, "a.toml", {9, {}}).warnings;
-  };
-  for (int i = 1; i <= 1500; ++i) add(std::to_string(i));
-  CHECK(warnings().empty());
-  for (int i = 0; i < 1200; ++i) add("0.5");
-  const auto found = warnings();
-  REQUIRE(found.size() == 1);
-  CHECK(found[0] ==
-        "a.toml:7508:1: warning: 1200 spheres take up the same place, this "
-        "one first: each ray that comes near tries all of them, and that "
-        "takes long");
 }
