@@ -11,7 +11,7 @@
 #include <string>
 
 #include "common/image/windows.hpp"
-#include "common/program/with_unit.hpp"
+#include "common/program/progress.hpp"
 #include "common/render/film.hpp"
 #include "common/scene/camera.hpp"
 

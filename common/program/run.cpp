@@ -9,16 +9,14 @@
 
 #include "common/program/command_line.hpp"
 #include "common/program/console.hpp"
-#include "common/program/cost_warning.hpp"
 #include "common/program/memory.hpp"
 #include "common/program/options.hpp"
 #include "common/program/output_files.hpp"
 #include "common/program/path_story.hpp"
 #include "common/program/processor_time.hpp"
-#include "common/program/progress_line.hpp"
+#include "common/program/progress.hpp"
 #include "common/program/report.hpp"
 #include "common/program/signals.hpp"
-#include "common/program/with_unit.hpp"
 #include "common/scene_file/message_text.hpp"
 #include "common/scene_file/scene_file.hpp"
 
@@ -139,10 +137,9 @@ int paint_scene(const Program& program, const Tracing& tracing,
   {
     const double samples = static_cast<double>(camera.width) * camera.height *
                            settings.samples_per_pixel;
-    const ProgressLine line(progress, samples, !options.quiet);
-    std::optional<CostWarning> warning;
+    std::optional<Progress> watched;
     if (!options.quiet) {
-      warning.emplace(program.name, progress, thread_count(settings.threads),
+      watched.emplace(program.name, progress, thread_count(settings.threads),
                       samples);
     }
     with_path_tracer([&] {

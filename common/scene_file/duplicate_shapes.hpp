@@ -13,7 +13,6 @@ namespace lightwalk {
 
 /// All numbers of a shape.
 using ShapeNumbers = std::array<float, 9>;
-
 inline ShapeNumbers numbers_of(const Plane& p) {
   return {p.normal.x, p.normal.y, p.normal.z, p.distance};
 }

@@ -517,11 +517,15 @@ class Progress(Programs):
 
     def test_is_shown_on_a_terminal_and_wiped_off_at_the_end(self):
         text = self.on_a_terminal()
-        self.assertRegex(text, r" *\d+ %  [\d.e+]+ [kMG]?samples/s  \d+ s left")
+        self.assertRegex(text, r" *\d+ %  \d+ (s|hours|days) left  [\d.e+]+ [kMG]?samples/s")
         *progress, end = text.split("\r\x1b[K")
         self.assertRegex(end, r"^stage1: interrupted after \d+ of \d+ samples")
         for line in progress:
             self.assertNotIn("\n", line)
+        # A terminal of 30 columns cuts what is longer, and does not wrap it.
+        for line in progress[1:]:
+            self.assertIn("samples/s\x1b[?7h", line)
+        self.assertTrue(text.startswith("\x1b[?7l\r\x1b[K"), text)
 
     def test_is_not_shown_where_quiet_was_asked_for(self):
         text = self.on_a_terminal("--quiet")

@@ -6,7 +6,7 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "common/program/cost_warning.hpp"
+#include "common/program/progress.hpp"
 #include "common/render/paint.hpp"
 
 using namespace lightwalk;
