@@ -340,7 +340,7 @@ int main(int argc, char** argv) {
     return wrong_usage(program,
                        "two images are required, as in '" + example + "'");
   }
-  catch_ending_signals(end_by_signal);
+  ignore_failing_writes();
   try {
     return compare(a, b, picture, json, other_seeds);
   } catch (const std::exception& error) {

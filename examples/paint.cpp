@@ -5,7 +5,7 @@
 
 #include "common/render/paint.hpp"
 #include "common/image/pfm.hpp"
-#include "common/image/write_file.hpp"
+#include "common/files/write_file.hpp"
 #include "stages/4_russian_roulette/path_tracer.hpp"
 
 using namespace lightwalk;

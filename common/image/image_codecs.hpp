@@ -9,7 +9,7 @@
 
 #include "common/image/render_result.hpp"
 #include "common/image/texture.hpp"
-#include "common/image/windows.hpp"
+#include "common/files/windows.hpp"
 
 #ifndef _WIN32
 #include <dlfcn.h>

@@ -10,15 +10,15 @@
 #include <iterator>
 #include <string>
 
-#include "common/image/file_bytes.hpp"
-#include "common/image/file_path.hpp"
+#include "common/files/read_file.hpp"
+#include "common/files/file_path.hpp"
 #include "common/image/image_codecs.hpp"
-#include "common/image/image_error.hpp"
+#include "common/files/file_error.hpp"
 #include "common/image/pfm.hpp"
 #include "common/image/ppm.hpp"
 #include "common/image/render_result.hpp"
 #include "common/image/tone_mapping.hpp"
-#include "common/image/write_file.hpp"
+#include "common/files/write_file.hpp"
 
 namespace lightwalk {
 
@@ -35,18 +35,18 @@ inline std::string ending(const std::string& path) {
 inline constexpr std::array<std::string_view, 4> image_endings = {
     ".exr", ".pfm", ".ppm", ".png"};
 
-/// The image library; an ImageError where it cannot be loaded. `format` is an
+/// The image library; a FileError where it cannot be loaded. `format` is an
 /// ending such as ".exr".
 inline const ImageCodecs& need_image_codecs(const std::string& format) {
   std::string error;
   const ImageCodecs* library = image_codecs(error);
-  if (!library) throw ImageError(format + " " + error);
+  if (!library) throw FileError(format + " " + error);
   return *library;
 }
 
-/// Throws an ImageError if no image can be written under this name.
+/// Throws a FileError if no image can be written under this name.
 inline void check_writable(const std::string& path) {
-  check_place(path);
+  check_file_place(path);
   const std::string format = ending(path);
   if (format == ".exr" || format == ".png") need_image_codecs(format);
 }
@@ -64,7 +64,7 @@ inline std::string encode_image(const std::string& format,
           ? library.encode_exr(result, bytes)
           : library.encode_png(tone_map(result.radiance, mapping),
                                encoding_gamma(mapping), bytes);
-  if (!error.empty()) throw ImageError(error);
+  if (!error.empty()) throw FileError(error);
   return bytes;
 }
 
@@ -80,8 +80,8 @@ inline RenderResult read_image(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::file_status status = fs::status(file_path(path), error);
-  if (!fs::exists(status)) throw ImageError("there is no such file");
-  if (!fs::is_regular_file(status)) throw ImageError("it is not a file");
+  if (!fs::exists(status)) throw FileError("there is no such file");
+  if (!fs::is_regular_file(status)) throw FileError("it is not a file");
   RenderResult result;
   const std::string format = ending(path);
   if (format == ".exr" || format == ".png") {
@@ -89,28 +89,28 @@ inline RenderResult read_image(const std::string& path) {
     const std::string why = format == ".exr"
                                 ? library.read_exr(path, result)
                                 : library.read_png(path, result.radiance);
-    if (!why.empty()) throw ImageError(why);
+    if (!why.empty()) throw FileError(why);
     return result;
   }
   if (format != ".pfm" && format != ".ppm") {
-    throw ImageError("its name ends in none of .exr, .png, .pfm, .ppm");
+    throw FileError("its name ends in none of .exr, .png, .pfm, .ppm");
   }
   if (format == ".pfm") {
     const std::size_t most =
-        most_pfm_bytes(first_bytes(path, longest_pfm_header));
-    result.radiance = decode_pfm(first_bytes(path, most));
+        most_pfm_bytes(read_file(path, longest_pfm_header));
+    result.radiance = decode_pfm(read_file(path, most));
     return result;
   }
   const std::size_t most =
-      most_ppm_bytes(first_bytes(path, longest_ppm_header));
+      most_ppm_bytes(read_file(path, longest_ppm_header));
   if (const std::uintmax_t size = fs::file_size(file_path(path));
       size > most) {
-    throw ImageError("it has " + std::to_string(size) +
+    throw FileError("it has " + std::to_string(size) +
                      " bytes, and its pixels take " + std::to_string(most) +
                      " at most");
   }
   result.radiance =
-      decode_ppm_with_note(first_bytes(path, most), result.note);
+      decode_ppm_with_note(read_file(path, most), result.note);
   return result;
 }
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "common/image/file_bytes.hpp"
+#include "common/files/read_file.hpp"
 #include "common/image/openimageio.hpp"
 #include "common/image/orientation.hpp"
 #include "common/image/picture_file.hpp"
@@ -20,7 +20,7 @@ PictureFile inspect(const std::string& path) {
   if (std::filesystem::file_size(path) > most_bytes) {
     return {"it is larger than 1 GB", 1};
   }
-  return inspect_picture(first_bytes(path, most_bytes));
+  return inspect_picture(read_file(path, most_bytes));
 }
 
 /// Reads the colors as they are stored: three values a pixel, upright. Grey

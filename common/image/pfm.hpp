@@ -12,7 +12,7 @@
 #include <string>
 
 #include "common/image/image.hpp"
-#include "common/image/image_error.hpp"
+#include "common/files/file_error.hpp"
 #include "common/image/image_limits.hpp"
 
 namespace lightwalk {
@@ -66,14 +66,14 @@ inline PfmHeader read_pfm_header(const std::string& bytes) {
   double scale = 0;
   header >> magic >> width >> height >> scale;
   if (!header || (magic != "PF" && magic != "Pf") || scale == 0) {
-    throw ImageError(
+    throw FileError(
         "it is not a PFM file, which begins with PF or Pf, width, height, "
         "and "
         "a scale that is not 0");
   }
   if (const std::string error = check_written_size(width, height);
       !error.empty()) {
-    throw ImageError(error);
+    throw FileError(error);
   }
   const std::size_t channels = magic == "PF" ? 3 : 1;
   return {
@@ -96,7 +96,7 @@ inline Image decode_pfm(const std::string& bytes) {
   const std::size_t count = header.data_bytes;
   const std::size_t start = pfm_start(bytes, header.end, count);
   if (start > bytes.size() || bytes.size() - start < count) {
-    throw ImageError("it is cut off: " + std::to_string(bytes.size()) +
+    throw FileError("it is cut off: " + std::to_string(bytes.size()) +
                      " bytes, and its header promises " +
                      std::to_string(start + count));
   }

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "common/image/image.hpp"
-#include "common/image/image_error.hpp"
+#include "common/files/file_error.hpp"
 #include "common/image/image_limits.hpp"
 #include "common/image/tone_mapping.hpp"
 
@@ -75,7 +75,7 @@ class PpmWords {
     const auto [end, error] =
         std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) {
-      throw ImageError(text.empty() ? "it is cut off: " + std::string(what) +
+      throw FileError(text.empty() ? "it is cut off: " + std::string(what) +
                                           " is missing"
                                     : std::string(what) + " is '" +
                                           std::string(text.substr(0, 20)) +
@@ -111,10 +111,10 @@ class PpmWords {
     if (next != '=' && next != ':' && !(key == "max" && number)) return;
     const std::string quoted = "its comment '" + text.substr(0, 40) + "'";
     if (next != '=' || key != "max") {
-      throw ImageError(quoted + " is not understood: expected is #MAX=2.5");
+      throw FileError(quoted + " is not understood: expected is #MAX=2.5");
     }
-    if (in_pixels_) throw ImageError(quoted + " comes after the first pixel");
-    if (has_max_) throw ImageError(quoted + " is its second of this kind");
+    if (in_pixels_) throw FileError(quoted + " comes after the first pixel");
+    if (has_max_) throw FileError(quoted + " is its second of this kind");
     ++at;
     skip_blanks();
     const char* first = text.c_str() + at;
@@ -123,7 +123,7 @@ class PpmWords {
     const bool empty = after == first;
     while (*after == ' ' || *after == '\t') ++after;
     if (empty || *after || !(max_ > 0) || !std::isfinite(max_)) {
-      throw ImageError(quoted + " does not give a number above 0");
+      throw FileError(quoted + " does not give a number above 0");
     }
     has_max_ = true;
   }
@@ -145,12 +145,12 @@ struct PpmSize {
 
 inline PpmSize read_ppm_size(PpmWords& words) {
   if (words.word() != "P3")
-    throw ImageError("it is not a plain PPM (P3) file");
+    throw FileError("it is not a plain PPM (P3) file");
   const long long width = words.number("its width");
   const long long height = words.number("its height");
   if (const std::string error = check_written_size(width, height);
       !error.empty()) {
-    throw ImageError(error);
+    throw FileError(error);
   }
   return {width, height};
 }
@@ -173,11 +173,11 @@ inline Image decode_ppm_with_note(const std::string& text,
   const auto [width, height] = read_ppm_size(words);
   const long long resolution = words.number("its color resolution");
   if (resolution < 1 || resolution > 0x7fffffff) {
-    throw ImageError("its color resolution is " + std::to_string(resolution));
+    throw FileError("its color resolution is " + std::to_string(resolution));
   }
   // Each number takes a digit and a space, so this much must be there.
   if (static_cast<std::size_t>(width * height) > text.size() / 6 + 1) {
-    throw ImageError("it is cut off: " + std::to_string(text.size()) +
+    throw FileError("it is cut off: " + std::to_string(text.size()) +
                      " bytes cannot hold " + std::to_string(width) + " x " +
                      std::to_string(height) + " pixels");
   }
@@ -189,7 +189,7 @@ inline Image decode_ppm_with_note(const std::string& text,
       if (first) words.begin_pixels();
       first = false;
       if (value < 0 || value > resolution) {
-        throw ImageError("a pixel is " + std::to_string(value) +
+        throw FileError("a pixel is " + std::to_string(value) +
                          ", outside 0 to " + std::to_string(resolution));
       }
       pixel[c] = static_cast<float>(static_cast<double>(value) *

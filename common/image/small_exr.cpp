@@ -11,8 +11,8 @@
 
 #include "common/image/exr_header.hpp"
 #include "common/image/exr_layers.hpp"
-#include "common/image/file_bytes.hpp"
-#include "common/image/file_path.hpp"
+#include "common/files/read_file.hpp"
+#include "common/files/file_path.hpp"
 #include "common/image/orientation.hpp"
 #include "common/image/small_exr_parts.hpp"
 #include "common/image/small_images.hpp"
@@ -164,7 +164,7 @@ std::string read_exr(const std::string& path, RenderResult& result) {
   if (std::filesystem::file_size(file_path(path)) > most_bytes) {
     return "it is larger than 2 GB";
   }
-  const std::string bytes = first_bytes(path, most_bytes);
+  const std::string bytes = read_file(path, most_bytes);
   std::istringstream stream(bytes);
   ExrHeader claims(stream, bytes.size());
   std::string error = claims.check();

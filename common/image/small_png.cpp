@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "common/image/file_bytes.hpp"
-#include "common/image/file_path.hpp"
+#include "common/files/read_file.hpp"
+#include "common/files/file_path.hpp"
 #include "common/image/orientation.hpp"
 #include "common/image/picture_file.hpp"
 #include "common/image/small_images.hpp"
@@ -124,7 +124,7 @@ std::string read_colors(const std::string& path, std::int64_t most,
   if (std::filesystem::file_size(file_path(path)) > most_bytes) {
     return "it is larger than 1 GB";
   }
-  const std::string bytes = first_bytes(path, most_bytes);
+  const std::string bytes = read_file(path, most_bytes);
   const PictureFile file = inspect_picture(bytes);
   if (!file.error.empty()) return file.error;
   std::string error =

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "common/image/windows.hpp"
+#include "common/files/windows.hpp"
 
 #ifdef _WIN32
 #include <fcntl.h>

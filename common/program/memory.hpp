@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/image/windows.hpp"
+#include "common/files/windows.hpp"
 #include "common/program/progress.hpp"
 #include "common/render/film.hpp"
 #include "common/scene/camera.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "common/image/file_path.hpp"
+#include "common/files/file_path.hpp"
 #include "common/image/image_file.hpp"
 #include "common/scene_file/message_text.hpp"
 

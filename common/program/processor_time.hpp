@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-#include "common/image/windows.hpp"
+#include "common/files/windows.hpp"
 
 namespace lightwalk {
 

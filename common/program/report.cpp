@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "common/image/write_file.hpp"
+#include "common/files/write_file.hpp"
 
 namespace lightwalk {
 

@@ -23,7 +23,7 @@ struct Report {
 std::string to_json(const Report& report);
 
 /// Writes the report so that the name always stands for a whole one. Throws
-/// an ImageError.
+/// a FileError.
 void write_report(const std::string& path, const Report& report);
 
 }  // namespace lightwalk

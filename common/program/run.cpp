@@ -36,7 +36,7 @@ void catch_interrupts() {
     // A terminal that closes may say so twice.
     if (signal == SIGHUP) return;
 #endif
-    std::signal(signal, end_by_signal);
+    std::signal(signal, SIG_DFL);
   });
 }
 
@@ -127,6 +127,7 @@ int paint_scene(const Program& program, const Tracing& tracing,
                 const RenderSettings& settings) {
   const Camera& camera = loaded.scene.camera;
   check_memory(camera);
+  ignore_failing_writes();
   check_files(options);
 
   RenderProgress progress;

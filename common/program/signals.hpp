@@ -6,8 +6,6 @@
 
 #include <csignal>
 
-#include "common/image/write_file.hpp"
-
 namespace lightwalk {
 
 #ifdef SIGBREAK  // Windows: Ctrl-Break
@@ -26,19 +24,15 @@ inline void catch_ending_signals(void (*handler)(int)) {
   }
 }
 
-/// A handler: ends the program as the signal would have done, and leaves no
-/// unfinished file behind.
-inline void end_by_signal(int signal) {
-  if (const char* const name = unfinished_file.load()) {
-#ifdef _WIN32
-    // Handlers run in a thread of their own there. An open file stays.
-    DeleteFileA(name);
-#else
-    unlink(name);
+/// A pipe whose reader has left, and a file that may not grow, are errors of
+/// a write from here on. They do not end the program.
+inline void ignore_failing_writes() {
+#ifdef SIGPIPE
+  std::signal(SIGPIPE, SIG_IGN);
 #endif
-  }
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);
+#endif
 }
 
 }  // namespace lightwalk

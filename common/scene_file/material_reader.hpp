@@ -186,7 +186,7 @@ class MaterialReader {
         known = textures_.emplace(path, &texture).first;
         texels_ += texture.texels.size();
         if (texels_ > most_texels) {
-          throw ImageError("the textures of a scene may have " +
+          throw FileError("the textures of a scene may have " +
                            std::to_string(most_texels) +
                            " pixels in all, and these are more");
         }

@@ -11,8 +11,8 @@
 #include <system_error>
 #include <vector>
 
-#include "common/image/file_bytes.hpp"
-#include "common/image/file_path.hpp"
+#include "common/files/read_file.hpp"
+#include "common/files/file_path.hpp"
 #include "common/render/render_settings.hpp"
 #include "common/scene/scene.hpp"
 #include "common/scene_file/duplicate_shapes.hpp"
@@ -173,8 +173,8 @@ inline std::string read_scene_text(const std::string& path) {
   const std::uintmax_t size = fs::file_size(file_path(path), error);
   if (!error && size > most_scene_bytes) fail("is larger than 256 MB");
   try {
-    return first_bytes(path, most_scene_bytes);
-  } catch (const ImageError&) {
+    return read_file(path, most_scene_bytes);
+  } catch (const FileError&) {
     fail("cannot be read");
   }
   return {};

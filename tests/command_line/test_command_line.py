@@ -376,7 +376,7 @@ class WhatCannotBeWritten(Programs):
 
     @unittest.skipUnless(os.path.isdir("/proc/self"), "needs Linux")
     def test_into_a_place_where_nobody_can_write(self):
-        self.refused("/proc/out.pfm", "no file can be made in '/proc': No such file or directory")
+        self.refused("/proc/out.pfm", "no file can be made in '/proc'")
 
     def test_under_a_name_that_is_too_long(self):
         self.refused(300 * "x" + ".pfm", "...")
@@ -408,7 +408,6 @@ class WhatCannotBeWritten(Programs):
 
     def test_a_disk_that_fills_up_leaves_the_old_file(self):
         def let_no_file_grow():
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
 
         for ending in ["pfm", "ppm", "exr", "png"]:
@@ -418,7 +417,6 @@ class WhatCannotBeWritten(Programs):
                 result = self.run_here(
                     *[BOX, "-o", out.name, "--size", "64x64", "--spp", "1"],
                     preexec_fn=let_no_file_grow,
-                    restore_signals=False,
                 )
                 self.assert_one_line(result, f"stage1: {out.name} cannot be written: ...")
                 self.assertEqual(out.read_text(), "the old file")

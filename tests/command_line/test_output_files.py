@@ -94,7 +94,7 @@ class WhatIsThere(Outputs):
         (self.folder / "b.pfm").symlink_to("a.pfm")
         (self.folder / "c.pfm").symlink_to("none/c.pfm")
         result = self.render("-o", "a.pfm")
-        self.assert_one_line(result, "stage1: a.pfm cannot be written: Too many levels of symbolic links")
+        self.assert_one_line(result, "stage1: a.pfm cannot be written: ...")
         result = self.render("-o", "c.pfm")
         self.assert_one_line(result, "stage1: c.pfm cannot be written: there is no folder 'none'")
         self.assertEqual(self.files(), ["a.pfm", "b.pfm", "c.pfm"])
@@ -121,21 +121,21 @@ class WhatIsThere(Outputs):
                 self.assertEqual(oct(self.mode(self.folder / name)), oct(mode))
                 (self.folder / name).unlink()
 
-    @unittest.skipUnless(hasattr(os, "geteuid") and os.geteuid() == 0, "needs root")
-    def test_the_owner_is_kept(self):
-        self.out.write_text(OLD)
-        os.chown(self.out, 65534, 65533)
-        self.assert_done(self.render("-o", "out.pfm"))
-        self.assert_whole(self.out)
-        self.assertEqual((self.out.stat().st_uid, self.out.stat().st_gid), (65534, 65533))
-
     def test_a_file_that_is_read_only_is_not_replaced(self):
         self.out.write_text(OLD)
         self.out.chmod(0o444)
         result = self.render_unprivileged("-o", "out.pfm")
-        self.assert_one_line(result, "stage1: out.pfm cannot be written: Permission denied")
+        self.assert_one_line(result, "stage1: out.pfm cannot be written: it may not be written")
         self.assertEqual(self.out.read_text(), OLD)
         self.assertEqual(self.files(), ["out.pfm"])
+
+    def test_into_a_folder_that_is_read_only(self):
+        (self.folder / "closed").mkdir(mode=0o555)
+        result = self.render_unprivileged("-o", "closed/out.pfm")
+        self.assert_one_line(
+            result, "stage1: closed/out.pfm cannot be written: no file can be made in 'closed'"
+        )
+        self.assertEqual(list((self.folder / "closed").iterdir()), [])
 
     def test_names_of_255_bytes(self):
         for letter in ["x", "\u00e9"]:
@@ -189,7 +189,7 @@ class PipesAndDevices(Outputs):
 
         threading.Thread(target=read, daemon=True).start()
         result = self.render("-o", "out.pfm", "-o", "b.pfm", "--size", "256x256", "--quiet")
-        self.assert_one_line(result, "stage1: out.pfm cannot be written: Broken pipe")
+        self.assert_one_line(result, "stage1: out.pfm cannot be written: it does not take all of the bytes")
         self.assertEqual(read_pfm(self.folder / "b.pfm")[:2], (256, 256))
 
     def test_the_standard_output(self):
@@ -199,12 +199,10 @@ class PipesAndDevices(Outputs):
         command = [BUILD / "stage1", BOX, *SMALL, "-o", "out.pfm", "--quiet"]
         done = subprocess.run(command, cwd=self.folder, capture_output=True)
         self.assertEqual((done.returncode, done.stderr, done.stdout), (0, b"", expected))
-        # Into a file behind what is there, as everything on stdout.
-        with open(self.folder / "all", "wb", buffering=0) as file:
-            file.write(b"first\n")
+        # A file is replaced, as any other.
+        with open(self.folder / "all", "wb") as file:
             subprocess.run(command, cwd=self.folder, stdout=file, check=True)
-            file.write(b"last\n")
-        self.assertEqual((self.folder / "all").read_bytes(), b"first\n" + expected + b"last\n")
+        self.assertEqual((self.folder / "all").read_bytes(), expected)
         self.assertEqual(self.files(), ["all", "out.pfm", "plain.pfm"])
 
     def test_a_device_gets_the_picture(self):
@@ -230,22 +228,20 @@ class PipesAndDevices(Outputs):
         self.addCleanup(os.close, full)
         self.out.symlink_to(f"/dev/fd/{full}")
         result = self.render_unprivileged("-o", "out.pfm", pass_fds=[full])
-        self.assert_one_line(result, "stage1: out.pfm cannot be written: No space left on device")
+        self.assert_one_line(result, "stage1: out.pfm cannot be written: it does not take all of the bytes")
 
 
 class SeveralFiles(Outputs):
     def test_the_others_are_written_where_one_fails(self):
         def let_no_file_grow():
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
 
         self.out.write_text(OLD)
         result = self.render(
             *["-o", "out.pfm", "-o", "b.png", "--report", "c.json", "--size", "64x64"],
             preexec_fn=let_no_file_grow,
-            restore_signals=False,
         )
-        self.assertEqual(result.stderr, "stage1: out.pfm cannot be written: File too large\n")
+        self.assertEqual(result.stderr, "stage1: out.pfm cannot be written: it cannot be written whole; is there room?\n")
         self.assertEqual(result.returncode, 1)
         self.assertEqual(self.out.read_text(), OLD)
         self.assertEqual((self.folder / "b.png").read_bytes()[-8:-4], b"IEND")

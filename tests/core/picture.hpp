@@ -43,7 +43,7 @@ inline std::string read_complaint(const std::string& path) {
   try {
     read_image(path);
     return "";
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     return error.what();
   }
 }
@@ -54,7 +54,7 @@ inline std::string write_complaint(const std::string& path,
   try {
     write_image(path, result, {});
     return "";
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     return error.what();
   }
 }

@@ -199,5 +199,5 @@ TEST_CASE("a texture's name with a NUL names no file") {
   const std::string root = fs::path(folder / "").string();
   CHECK_NOTHROW(load_texture(root, "a.png"));
   CHECK_THROWS_WITH_AS(load_texture(root, std::string("a.png\0.png", 10)),
-                       "its name has a NUL character", ImageError);
+                       "its name has a NUL character", FileError);
 }

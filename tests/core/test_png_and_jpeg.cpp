@@ -32,7 +32,7 @@ std::string texture_complaint(const TemporaryFolder& folder,
   try {
     load_texture(folder / "", name);
     return "";
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     return error.what();
   }
 }

@@ -42,7 +42,7 @@ std::string complaint(Decode decode, const std::string& bytes) {
   std::string message;
   try {
     decode(bytes);
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     message = error.what();
   }
   const std::size_t largest = largest_allocation;

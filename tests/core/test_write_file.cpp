@@ -1,13 +1,19 @@
-// Files that are written whole or not at all. What happens when the system
-// fails in the middle is in tests/command_line/test_faults.py.
+// Files that are written whole or not at all. Links, modes, pipes and programs
+// that are ended are in tests/command_line/test_output_files.py.
 
 #include <doctest/doctest.h>
 
-#include <set>
 #include <string>
 
-#include "common/image/write_file.hpp"
+#ifndef _WIN32
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
+
+#include "common/files/read_file.hpp"
+#include "common/files/write_file.hpp"
 #include "common/scene_file/message_text.hpp"
+#include "tests/core/full_disk.hpp"
 #include "tests/core/temporary_folder.hpp"
 
 using namespace lightwalk;
@@ -21,7 +27,7 @@ std::string complaint(const std::string& path, const std::string& bytes) {
   try {
     write_file(path, bytes);
     return "";
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     return error.what();
   }
 }
@@ -43,57 +49,90 @@ TEST_CASE("a file has just the bytes that were given, and nothing is left") {
 TEST_CASE("a file cannot be written where a folder is, or none") {
   const TemporaryFolder folder;
   fs::create_directory(folder / "a");
-  CHECK(complaint(folder / "a", "bytes") != "");
+  CHECK(complaint(folder / "a", "bytes") == "it is a folder");
   CHECK(complaint(folder / "b/c", "bytes") ==
         "there is no folder '" + (folder / "b") + "'");
   CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("unfinished files have another name each time, beside the target") {
-  std::set<std::string> names;
-  for (int i = 0; i < 1000; ++i) {
-    names.insert(unfinished_name("folder/" + std::string(250, 'x') + ".exr"));
-  }
-  CHECK(names.size() == 1000);
-  for (const fs::path name : names) {
-    CHECK(name.parent_path() == "folder");
-    CHECK(name.filename().string().size() < 40);
-  }
-  CHECK(fs::path(unfinished_name("a.exr")).parent_path().empty());
+TEST_CASE("two writers of one file have each a file of their own") {
+  const TemporaryFolder folder;
+  store(folder / "a", "old");
+  const FilePlace place = find_file_place(folder / "a");
+  UnfinishedFile first(place), second(place);
+  CHECK(folder.entries() == 3);
+  second.finish("second");
+  CHECK(bytes_of(folder / "a") == "second");
+  first.finish("first");
+  CHECK(bytes_of(folder / "a") == "first");
+  CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("an unfinished file is known until it is renamed or removed") {
+TEST_CASE("names beyond ASCII are names of files, written and read") {
   const TemporaryFolder folder;
-  CHECK(complaint(folder / "a", "bytes") == "");
-  const bool none_after_success = unfinished_file.load() == nullptr;
-  CHECK(none_after_success);
-  CHECK(complaint(folder / std::string(300, 'x'), "bytes") != "");
-  const bool none_after_failure = unfinished_file.load() == nullptr;
-  CHECK(none_after_failure);
+  const std::string name = folder / "caf\xc3\xa9 \xe2\x9c\x93.bin";
+  CHECK(complaint(name, "bytes") == "");
+  CHECK(fs::exists(file_path(name)));
+  CHECK(name_of(file_path(name)) == name);
+  CHECK(read_file(name, 3) == "byt");
 }
 
 TEST_CASE("a place that can be written passes the check, without a trace") {
   const TemporaryFolder folder;
-  check_place(folder / "a");
+  check_file_place(folder / "a");
   CHECK(folder.entries() == 0);
   store(folder / "a", "bytes");
-  check_place(folder / "a");
+  check_file_place(folder / "a");
   CHECK(bytes_of(folder / "a") == "bytes");
   CHECK(folder.entries() == 1);
-  CHECK_THROWS_AS(check_place(folder / "none/a"), ImageError);
-  CHECK_THROWS_AS(check_place(folder / std::string(300, 'x')), ImageError);
+  CHECK_THROWS_AS(check_file_place(folder / "none/a"), FileError);
+  CHECK_THROWS_AS(check_file_place(folder / std::string(300, 'x')),
+                  FileError);
 }
 
 #ifndef _WIN32
-TEST_CASE("only names of open files are taken for them") {
-  CHECK(descriptor_in("/dev/fd/0") == 0);
-  CHECK(descriptor_in("/proc/self/fd/12") == 12);
-  for (const char* other :
-       {"", "/dev/fd/", "/dev/fd/1x", "/dev/fd/-1", "/dev/fd/9999999",
-        "/dev/fd/../1", "/dev/stdout", "dev/fd/1", "1"}) {
-    CAPTURE(other);
-    CHECK(descriptor_in(other) == -1);
+// A full disk, simulated: no file may grow beyond some bytes. With one byte
+// too few it is the very last write that fails; of a small file it is the only
+// one, and it happens when the file is closed.
+TEST_CASE("a full disk leaves the old file and nothing unfinished") {
+  const TemporaryFolder folder;
+  store(folder / "a", "the old file");
+  for (const std::size_t size : {20, 1'000'000}) {
+    const std::string bytes(size, 'x');
+    for (const std::size_t room :
+         {std::size_t{0}, std::size_t{1}, size / 2, size - 1}) {
+      std::string why;
+      {
+        const FullDisk full(room);
+        why = complaint(folder / "a", bytes);
+      }
+      CAPTURE(room);
+      CHECK(why == "it cannot be written whole; is there room?");
+      CHECK(bytes_of(folder / "a") == "the old file");
+      CHECK(folder.entries() == 1);
+    }
   }
+  const FullDisk just_enough(20);
+  CHECK(complaint(folder / "a", std::string(20, 'x')) == "");
+}
+
+// A program of its own is killed in the middle of a write: by the signal that
+// a file is too long, which comes at a known byte. kill -9 does no more.
+TEST_CASE("a program that is killed while it writes leaves the old file") {
+  const TemporaryFolder folder;
+  store(folder / "a", "the old file");
+  const pid_t child = fork();
+  if (child == 0) {
+    const FullDisk full(1000);
+    signal(SIGXFSZ, SIG_DFL);
+    complaint(folder / "a", std::string(3000, 'x'));
+    _exit(0);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(WIFSIGNALED(status));
+  CHECK(bytes_of(folder / "a") == "the old file");
+  CHECK(folder.entries() == 2);  // and a part of the new one, .unfinished-...
 }
 #endif
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "common/image/image.hpp"
-#include "common/image/image_error.hpp"
+#include "common/files/file_error.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 namespace lightwalk::fuzz {
@@ -18,7 +18,7 @@ inline std::optional<Image> decoded(Image (*decode)(const std::string&),
     Image image = decode(text_of(data, size));
     check_pixels(image.width, image.height, image.pixels.size());
     return image;
-  } catch (const ImageError& error) {
+  } catch (const FileError& error) {
     expect(*error.what() != '\0', "a refusal says why");
     return std::nullopt;
   }
