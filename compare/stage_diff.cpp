@@ -99,8 +99,8 @@ void borrow_variance(const std::string& path, RenderResult& poor,
 }
 
 void warn_of_other_settings(const RenderInfo& a, const RenderInfo& b) {
-  if (a.scene_sha256 != b.scene_sha256 && !a.scene_sha256.empty() &&
-      !b.scene_sha256.empty()) {
+  if (a.scene_hash != b.scene_hash && !a.scene_hash.empty() &&
+      !b.scene_hash.empty()) {
     std::fprintf(stderr,
                  "stage-diff: WARNING: the two were rendered from different "
                  "scene files\n");

@@ -104,8 +104,9 @@ def read_pfm(path):
     """Width, height and the pixels' (r, g, b), row by row from the top."""
     magic, size, scale, data = Path(path).read_bytes().split(b"\n", 3)
     width, height = map(int, size.split())
-    if (magic, scale, len(data)) != (b"PF", b"-1.0", 12 * width * height):
+    if (magic, scale) != (b"PF", b"-1.0"):
         raise ValueError(f"{path} is not the .pfm that the stages write")
-    pixels = list(struct.iter_unpack("<3f", data))
+    # Behind the mean follows the variance.
+    pixels = list(struct.iter_unpack("<3f", data[: 12 * width * height]))
     rows = [pixels[i : i + width] for i in range(0, len(pixels), width)]
     return width, height, [pixel for row in reversed(rows) for pixel in row]

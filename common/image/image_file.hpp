@@ -55,7 +55,7 @@ inline void check_writable(const std::string& path) {
 inline std::string encode_image(const std::string& format,
                                 const RenderResult& result,
                                 const ToneMapping& mapping) {
-  if (format == ".pfm") return encode_pfm(result.radiance);
+  if (format == ".pfm") return encode_pfm(result);
   if (format == ".ppm") return encode_ppm(result.radiance);
   const ImageCodecs& library = need_image_codecs(format);
   std::string bytes;
@@ -98,8 +98,7 @@ inline RenderResult read_image(const std::string& path) {
   if (format == ".pfm") {
     const std::size_t most =
         most_pfm_bytes(read_file(path, longest_pfm_header));
-    result.radiance = decode_pfm(read_file(path, most));
-    return result;
+    return decode_pfm(read_file(path, most));
   }
   const std::size_t most =
       most_ppm_bytes(read_file(path, longest_ppm_header));

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <map>
 #include <optional>
 #include <string>
 
+#include "common/files/file_error.hpp"
 #include "common/image/image.hpp"
 
 namespace lightwalk {
@@ -15,19 +19,18 @@ struct PixelSample {
   std::uint32_t sample = 0;  ///< the first is 0
 };
 
-/// Where a picture comes from. Image files carry it along, but for what is
-/// said not to be in files.
+/// Where a picture comes from. Image files carry along what `texts_of` lists.
 struct RenderInfo {
   std::string stage = {};        ///< the program, such as "stage1"
   double samples_per_pixel = 0;  ///< of the pixel that has fewest
   std::uint64_t seed = 0;
   int max_bounces = 0;
-  std::string scene_sha256 = {};  ///< of the scene file
+  std::string scene_hash = {};  ///< of the scene file
   std::uint64_t rays = 0;
   std::uint64_t dropped = 0;  ///< samples that were not finite
   std::string version = {};
-  std::uint64_t samples = 0;  ///< of all pixels together; not in files
-  std::optional<PixelSample> first_dropped = {};  ///< not in files
+  std::uint64_t samples = 0;  ///< of all pixels together
+  std::optional<PixelSample> first_dropped = {};
 };
 
 /// Mean radiance, the variance of one sample, and where both come from. The
@@ -39,5 +42,44 @@ struct RenderResult {
   /// What its reader should say about a file that left a choice.
   std::string note = {};
 };
+
+inline void check_variance_size(const RenderResult& result) {
+  const Image &mean = result.radiance, &variance = result.variance;
+  if (variance.width == mean.width && variance.height == mean.height) return;
+  throw FileError("its variance has another size than its picture");
+}
+
+/// What image files say of a render: names, and numbers as text, since many
+/// formats have whole numbers of 32 bits alone.
+using InfoTexts = std::map<std::string, std::string>;
+
+inline InfoTexts texts_of(const RenderInfo& info) {
+  const auto samples = static_cast<std::uint64_t>(info.samples_per_pixel);
+  return {{"samples_per_pixel", std::to_string(samples)},
+          {"seed", std::to_string(info.seed)},
+          {"max_bounces", std::to_string(info.max_bounces)},
+          {"scene_hash", info.scene_hash},
+          {"rays", std::to_string(info.rays)},
+          {"dropped", std::to_string(info.dropped)}};
+}
+
+inline RenderInfo info_of(const InfoTexts& texts) {
+  const auto text = [&](const char* name) {
+    const auto found = texts.find(name);
+    return found == texts.end() ? std::string() : found->second;
+  };
+  const auto number = [&](const char* name) {
+    return std::uint64_t{std::strtoull(text(name).c_str(), nullptr, 10)};
+  };
+  RenderInfo info;
+  info.samples_per_pixel = static_cast<double>(number("samples_per_pixel"));
+  info.seed = number("seed");
+  info.max_bounces = static_cast<int>(
+      std::min(number("max_bounces"), std::uint64_t{0x7fffffff}));
+  info.scene_hash = text("scene_hash");
+  info.rays = number("rays");
+  info.dropped = number("dropped");
+  return info;
+}
 
 }  // namespace lightwalk

@@ -13,7 +13,7 @@ std::string to_json(const Report& report) {
   nlohmann::ordered_json json = {
       {"program", info.stage},
       {"scene", report.scene},
-      {"scene_hash", info.scene_sha256},
+      {"scene_hash", info.scene_hash},
       {"width", report.width},
       {"height", report.height},
       {"samples_per_pixel",

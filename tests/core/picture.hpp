@@ -24,7 +24,7 @@ inline RenderResult picture(int width = 7, int height = 5) {
   result.info.samples_per_pixel = 4096;
   result.info.seed = 18446744073709551615u;
   result.info.max_bounces = 8;
-  result.info.scene_sha256 = std::string(64, 'a');
+  result.info.scene_hash = std::string(64, 'a');
   result.info.rays = 9007199254740993u;  // 2^53 + 1: no double holds it
   result.info.dropped = 12345678901u;
   result.info.version = "1.2.3";

@@ -30,7 +30,7 @@ TEST_CASE("an EXR file gives back all that is said about the picture") {
   CHECK(read.samples_per_pixel == written.samples_per_pixel);
   CHECK(read.seed == written.seed);
   CHECK(read.max_bounces == written.max_bounces);
-  CHECK(read.scene_sha256 == written.scene_sha256);
+  CHECK(read.scene_hash == written.scene_hash);
   CHECK(read.rays == written.rays);
   CHECK(read.dropped == written.dropped);
   CHECK(read.version == written.version);

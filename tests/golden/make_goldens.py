@@ -3,7 +3,9 @@
     python3 -m tests.golden.make_goldens [--times 64] [stage4/plastic ...]
 
 Each is rendered by its stage with 64 times the samples of the tests, and a
-seed that no test uses, so that its own error hardly counts.
+seed that no test uses, so that its own error hardly counts. The file is what
+every stage writes as .pfm (common/image/pfm.hpp): the mean, the variance of a
+sample, and what was rendered. No library is needed to read it.
 """
 
 import argparse
@@ -34,8 +36,8 @@ def main():
         arguments = ["--spp", golden["samples"] * options.times, "--seed", SEED]
         if "max_bounces" in golden:
             arguments += ["--max-bounces", golden["max_bounces"]]
-        print(f"{stage}/{scene}.exr", flush=True)
-        render(stage, SCENES / f"{scene}.toml", folder / f"{scene}.exr", "--size", "32x32", *arguments)
+        print(f"{stage}/{scene}.pfm", flush=True)
+        render(stage, SCENES / f"{scene}.toml", folder / f"{scene}.pfm", "--size", "32x32", *arguments)
 
 
 if __name__ == "__main__":

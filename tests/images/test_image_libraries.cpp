@@ -48,7 +48,7 @@ void check_same_info(const RenderInfo& a, const RenderInfo& b) {
   CHECK(a.samples_per_pixel == b.samples_per_pixel);
   CHECK(a.seed == b.seed);
   CHECK(a.max_bounces == b.max_bounces);
-  CHECK(a.scene_sha256 == b.scene_sha256);
+  CHECK(a.scene_hash == b.scene_hash);
   CHECK(a.rays == b.rays);
   CHECK(a.dropped == b.dropped);
   CHECK(a.version == b.version);

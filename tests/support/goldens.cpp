@@ -55,7 +55,7 @@ Golden load_golden(int stage, const std::string& name) {
     golden.settings.seed = std::strtoull(seed, nullptr, 10);
   }
   const std::string path =
-      std::string(folder) + '/' + stage_name(stage) + '/' + name + ".exr";
+      std::string(folder) + '/' + stage_name(stage) + '/' + name + ".pfm";
   try {
     golden.image = read_image(path);
   } catch (const std::exception& error) {
@@ -66,7 +66,7 @@ Golden load_golden(int stage, const std::string& name) {
   Camera& camera = golden.loaded.scene.camera;
   camera.width = golden.image.radiance.width;
   camera.height = golden.image.radiance.height;
-  if (golden.loaded.sha256 != golden.image.info.scene_sha256) {
+  if (golden.loaded.sha256 != golden.image.info.scene_hash) {
     throw std::runtime_error(path + " was made from another version of " +
                              "scenes/" + name + ".toml; `make goldens` " +
                              "remakes it");
