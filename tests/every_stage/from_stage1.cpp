@@ -24,6 +24,11 @@ TEST_CASE("a ray that meets nothing brings the background") {
   check_nothing_is_black<PathTracer>();
 }
 
+TEST_SUITE_END();
+
+// Where paths are followed side by side, nothing is logged of each.
+TEST_SUITE_BEGIN("units" * doctest::skip(this_stage == 6));
+
 TEST_CASE("every ray has a direction of unit length") {
   check_unit_directions<PathTracer>("{ kd = 0.5 }");
   if constexpr (this_stage >= 3) {
@@ -107,11 +112,6 @@ TEST_CASE("the same bits for any number of threads, other noise for a seed") {
   check_other_noise(paint<PathTracer>(scene, settings), one);
 }
 
-TEST_CASE("a told path is the sum that is computed, vertex by vertex") {
-  check_told_paths<PathTracer>(
-      this_stage >= 2 ? text::point_light("0, 0, 0", "3.14159265") : "");
-}
-
 TEST_CASE("the box gives the same picture wherever and however large it is") {
   if constexpr (this_stage == 1) {
     check_moved<PathTracer>("cornell_box_ceiling_diffuse", 128, 8);
@@ -125,6 +125,15 @@ TEST_CASE("the box gives the same picture wherever and however large it is") {
     check_moved<PathTracer>("cornell_box_point", samples, max_bounces);
     check_moved<PathTracer>("cornell_box_ceiling", samples, max_bounces);
   }
+}
+
+TEST_SUITE_END();
+
+TEST_SUITE_BEGIN("relations" * doctest::skip(this_stage == 6));
+
+TEST_CASE("a told path is the sum that is computed, vertex by vertex") {
+  check_told_paths<PathTracer>(
+      this_stage >= 2 ? text::point_light("0, 0, 0", "3.14159265") : "");
 }
 
 TEST_SUITE_END();
