@@ -1,5 +1,6 @@
 """Checks that MathJax understands every formula of a text."""
 
+import hashlib
 import json
 import re
 import subprocess
@@ -36,9 +37,17 @@ def formulas_of_header(header):
 
 
 def check_formulas(found):
+    """Asks MathJax, which takes longer to start than the rest of a check: so
+    what it has understood once is not asked again."""
     script = Path(__file__).with_name("check_formulas.cjs")
-    run = subprocess.run(
-        ["node", script, BUILD / "node/node_modules"], input=json.dumps(found), capture_output=True, text=True
-    )
+    modules = BUILD / "node/node_modules"
+    asked = hashlib.sha256(script.read_bytes() + (modules / "mathjax-full/package.json").read_bytes())
+    asked.update(json.dumps([(one["tex"], one["display"]) for one in found]).encode())
+    understood = BUILD / "figures/formulas" / asked.hexdigest()[:20]
+    if understood.exists():
+        return
+    run = subprocess.run(["node", script, modules], input=json.dumps(found), capture_output=True, text=True)
     if run.returncode:
         raise Failure((run.stdout or run.stderr).strip().split("\n")[0])
+    understood.parent.mkdir(parents=True, exist_ok=True)
+    understood.touch()
