@@ -6,7 +6,7 @@ that of the nearest stage before it, else the core's.
 """
 
 import re
-from collections import Counter
+from collections import Counter, defaultdict
 
 from compare.stages import ROOT
 
@@ -45,20 +45,26 @@ def definitions(header):
     return found, members
 
 
+def stage_of(header):
+    """The stage whose folder the header is in, 0 for the core."""
+    top, folder, *_ = header.relative_to(ROOT).parts
+    return int(folder[0]) if top == "stages" else 0
+
+
 class Names:
     """Where each name is defined, as (page, line)."""
 
     def __init__(self, pages):
         """`pages` are (header, page) of the book, in its order."""
-        self.core, self.stages, self.members = {}, {}, {}
+        self.stages = defaultdict(dict)  # the core is 0
         methods = []
         for header, page in pages:
             names, members = definitions(header)
             places = {name: (page, line) for name, line in names.items()}
-            if header.is_relative_to(ROOT / "stages"):
-                self.stages[int(header.parent.name[0])] = places
-            else:
-                self.core = {**places, **self.core}
+            known = self.stages[stage_of(header)]
+            for name, place in places.items():
+                known.setdefault(name, place)
+            if header.name != "path_tracer.hpp":
                 methods += [(name, (page, line)) for name, line in members]
         often = Counter(name for name, _ in methods)
         self.members = {name: place for name, place in methods if often[name] == 1}
@@ -69,11 +75,11 @@ class Names:
         if match["access"]:
             return self.members.get(name) if match["call"] else None
         if match["stage"]:
-            return self.stages.get(int(match["stage"]), {}).get(name)
-        for number in range(stage, 0, -1):
-            if name in self.stages.get(number, {}):
+            return self.stages[int(match["stage"])].get(name)
+        for number in range(stage, -1, -1):
+            if name in self.stages[number]:
                 return self.stages[number][name]
-        return self.core.get(name)
+        return None
 
 
 def is_linkable(match, place_line, line):
@@ -87,7 +93,7 @@ def link_definitions(folder, pages):
     names = Names(pages)
     for header, page in pages:
         path = folder / f"{page}.html"
-        stage = int(header.parent.name[0]) if header.is_relative_to(ROOT / "stages") else 0
+        stage = stage_of(header)
         up = "../" * page.count("/")
         path.write_text(LISTING.sub(lambda one: linked(one[0], page, stage, names, up), path.read_text()))
 
