@@ -21,7 +21,7 @@ void describe(const RenderInfo& info, ImageSpec& spec) {
                  static_cast<float>(info.samples_per_pixel));
   spec.attribute("lightwalk:seed", std::to_string(info.seed));
   spec.attribute("lightwalk:max_bounces", info.max_bounces);
-  spec.attribute("lightwalk:scene_sha256", info.scene_hash);
+  spec.attribute("lightwalk:scene_hash", info.scene_hash);
   spec.attribute("lightwalk:rays", std::to_string(info.rays));
   spec.attribute("lightwalk:dropped", std::to_string(info.dropped));
   spec.attribute("lightwalk:version", info.version);
@@ -42,7 +42,7 @@ RenderInfo description(const ImageSpec& spec) {
       spec.get_float_attribute("lightwalk:samples_per_pixel"));
   info.seed = number("lightwalk:seed");
   info.max_bounces = spec.get_int_attribute("lightwalk:max_bounces");
-  info.scene_hash = text("lightwalk:scene_sha256");
+  info.scene_hash = text("lightwalk:scene_hash");
   info.rays = number("lightwalk:rays");
   info.dropped = number("lightwalk:dropped");
   info.version = text("lightwalk:version");

@@ -103,7 +103,7 @@ RenderInfo description(const EXRHeader& header) {
       number(header, "lightwalk:samples_per_pixel", "float", 0.0f));
   info.seed = whole("lightwalk:seed");
   info.max_bounces = number(header, "lightwalk:max_bounces", "int", 0);
-  info.scene_hash = text("lightwalk:scene_sha256");
+  info.scene_hash = text("lightwalk:scene_hash");
   info.rays = whole("lightwalk:rays");
   info.dropped = whole("lightwalk:dropped");
   info.version = text("lightwalk:version");

@@ -67,7 +67,7 @@ Attributes describe(const RenderInfo& info) {
              static_cast<float>(info.samples_per_pixel));
   all.text("lightwalk:seed", std::to_string(info.seed));
   all.number("lightwalk:max_bounces", info.max_bounces);
-  all.text("lightwalk:scene_sha256", info.scene_hash);
+  all.text("lightwalk:scene_hash", info.scene_hash);
   all.text("lightwalk:rays", std::to_string(info.rays));
   all.text("lightwalk:dropped", std::to_string(info.dropped));
   all.text("lightwalk:version", info.version);

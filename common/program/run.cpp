@@ -153,7 +153,7 @@ int paint_scene(const Program& program, const Tracing& tracing,
 
   RenderInfo& info = result.info;
   info.stage = program.name;
-  info.scene_hash = loaded.sha256;
+  info.scene_hash = loaded.hash;
   info.version = LIGHTWALK_VERSION;
   Report report{
       .scene = options.scene,

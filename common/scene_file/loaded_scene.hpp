@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cinttypes>
 #include <compare>
 #include <cstdint>
+#include <cstdio>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/scene/scene.hpp"
@@ -17,10 +20,23 @@ struct LineAndColumn {
   auto operator<=>(const LineAndColumn&) const = default;
 };
 
+/// The 64-bit FNV-1a hash of the bytes, as 16 hexadecimal digits (G. Fowler,
+/// L. Noll, K.-P. Vo; IETF draft-eastlake-fnv). It says whether two pictures
+/// are from the same scene file, and is no protection against forgery.
+inline std::string fnv_1a(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char byte : bytes) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
+  }
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016" PRIx64, hash);
+  return digits;
+}
+
 /// A scene as it was read, with what its file says beside it.
 struct LoadedScene {
   Scene scene;
-  std::string sha256;  ///< of the file's bytes, in hexadecimal
+  std::string hash;  ///< of the file's bytes: fnv_1a()
   std::optional<int> samples_per_pixel;
   std::optional<int> max_bounces;
   std::map<const Material*, std::string> material_names;

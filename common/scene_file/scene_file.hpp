@@ -18,7 +18,6 @@
 #include "common/scene_file/duplicate_shapes.hpp"
 #include "common/scene_file/loaded_scene.hpp"
 #include "common/scene_file/material_reader.hpp"
-#include "common/scene_file/sha256.hpp"
 #include "common/scene_file/shape_reader.hpp"
 #include "common/scene_file/syllabus.hpp"
 #include "common/scene_file/toml_reader.hpp"
@@ -193,7 +192,7 @@ inline LoadedScene parse_scene(std::string_view text, const std::string& path,
   LoadedScene loaded =
       SceneReader(syllabus, name_of(file_path(path).parent_path()))
           .read(root);
-  loaded.sha256 = sha256(text);
+  loaded.hash = fnv_1a(text);
   if (const auto warning = duplicate_shapes(loaded)) {
     loaded.warnings.push_back(path + ':' + *warning);
   }

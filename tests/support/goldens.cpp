@@ -66,7 +66,7 @@ Golden load_golden(int stage, const std::string& name) {
   Camera& camera = golden.loaded.scene.camera;
   camera.width = golden.image.radiance.width;
   camera.height = golden.image.radiance.height;
-  if (golden.loaded.sha256 != golden.image.info.scene_hash) {
+  if (golden.loaded.hash != golden.image.info.scene_hash) {
     throw std::runtime_error(path + " was made from another version of " +
                              "scenes/" + name + ".toml; `make goldens` " +
                              "remakes it");
