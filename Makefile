@@ -183,9 +183,9 @@ mistakes: setup $(BUILD)/CMakeCache.txt
 	@$(compile) all
 	@set -f; python3 -m tests.mistakes.mistakes -j $(JOBS) $$MISTAKES
 
-# Feeds readers, geometry and comparison with what nobody would write, for
-# SECONDS in all; HARNESS names some of tests/fuzz/. Built by Clang, in a
-# folder of its own; FUZZ_CXX names another one.
+# Feeds readers and geometry with what nobody would write, for SECONDS in all;
+# HARNESS names some of tests/fuzz/. Built by Clang, in a folder of its own;
+# FUZZ_CXX names another compiler.
 fuzz_cxx = $(or $(FUZZ_CXX),$(firstword $(wildcard $(addsuffix \
   /opt/llvm/bin/clang++,/opt/homebrew /usr/local)) clang++))
 

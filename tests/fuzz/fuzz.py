@@ -1,4 +1,4 @@
-"""Feeds the readers, the geometry and the comparison with what nobody would write.
+"""Feeds the readers and the geometry with what nobody would write.
 
 Each harness, tests/fuzz/NAME.cpp, is a program with libFuzzer: it changes
 inputs that it has, keeps those that reach new lines of ours, and ends where
@@ -24,55 +24,27 @@ from compare.stages import BUILD, ROOT
 
 FOLDER = BUILD / "fuzz"
 HERE = ROOT / "tests/fuzz"
-# The longest input in bytes, and options of libFuzzer. Libraries that print
-# what they think of their input are not listened to.
+# The longest input in bytes, and options of libFuzzer.
 HARNESSES = {
-    "compare": [600],
-    "exr": [4000, "-close_fd_mask=3", "-detect_leaks=0"],
-    "options": [200, "-close_fd_mask=3", f"-dict={HERE}/options.dict"],
     "pfm": [300],
-    "picture": [4000, "-close_fd_mask=3", "-detect_leaks=0"],
     "ppm": [300],
     "scene": [4000, f"-dict={HERE}/toml.dict"],
     "shapes": [200],
     "tree": [400],
 }
 LIMITS = ["-timeout=10", "-rss_limit_mb=2048"]
-ENVIRONMENT = {
-    # The image libraries leave memory behind where a file is broken.
-    "LSAN_OPTIONS": f"suppressions={ROOT}/tests/leaks.supp:print_suppressions=0",
-    "UBSAN_OPTIONS": "print_stacktrace=1",
-}
-
-
-def command_lines():
-    """Those of the documentation, one argument a line."""
-    for page in [ROOT / "README.md", *ROOT.glob("stages/*/README.md")]:
-        for line in re.findall(r"^ {4}build/stage\d (.*)$", page.read_text(), re.MULTILINE):
-            yield "\n".join(shlex.split(line, comments=True))
-    yield "a.toml\n-o\na.exr\n-ob.png\n--report\nc.json\n-q\n--spp=16\n--max-bounces\n3"
-    yield "a.toml\n-o\na.ppm\n--seed\n18446744073709551615\n--threads\n0\n--size\n128x64"
-    yield "a.toml\n--pixel\n120,80\n--sample\n3\n--sampling\nuniform"
-    yield "a.toml\n-o\na.png\n--tone-map\nclamp,gamma\n--gamma\n2.2\n--exposure\n-1.5"
-    yield "--help"
-    yield "--version"
+ENVIRONMENT = {"UBSAN_OPTIONS": "print_stacktrace=1"}
 
 
 def seeds(name):
     """The inputs that a harness starts from."""
     if name == "scene":
         return [path.read_bytes() for path in ROOT.glob("scenes/*.toml")]
-    if name in ("exr", "picture"):
-        kinds = (".exr",) if name == "exr" else (".png", ".jpg")
-        pictures = ROOT.glob("tests/core/pictures/*")
-        return [path.read_bytes() for path in pictures if path.suffix in kinds]
     if name == "pfm":
         pixels = struct.pack("<12f", *range(12))
         return [b"PF\n2 2\n-1.0\n" + pixels, b"Pf\r\n4 3\r\n1\r\n" + pixels]
     if name == "ppm":
         return [b"P3\n#MAX=2.5\n2 1\n255\n0 128 255\t1 2 3\n", b"P3 1 1 65535 1 2 65535 # end\n"]
-    if name == "options":
-        return [line.encode() for line in command_lines()]
     numbers = random.Random(name)
     return [numbers.randbytes(size) for size in (20, 50, 100, 200) for _ in range(8)]
 
@@ -84,8 +56,7 @@ def prepare(name):
         folder.mkdir(parents=True, exist_ok=True)
     for number, seed in enumerate(seeds(name)):
         (start / f"{number:02}").write_bytes(seed)
-    known = HERE / "regressions" / name
-    return [corpus, start] + ([known] if known.is_dir() else [])
+    return [corpus, start]
 
 
 def last_number(pattern, text):
