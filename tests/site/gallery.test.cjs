@@ -114,7 +114,7 @@ test("without JavaScript the whole table stands there", async () => {
   const context = await browser.newContext({ javaScriptEnabled: false });
   const page = await context.newPage();
   await page.goto(url(address));
-  assert.ok((await shown(page)) > 400);
+  assert.ok((await shown(page)) > 200);
   assert.equal(await page.locator(".search-mistakes").count(), 0);
   await page.locator("table.mistakes summary").first().click();
   assert.equal(await page.locator("table.mistakes pre").first().isVisible(), true);
