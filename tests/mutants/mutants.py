@@ -1,16 +1,12 @@
-"""Makes every small change to every stage, and sees which the tests notice.
+"""Makes every small change to every stage, and lists those that no test notices.
 
     make mutants                        all stages
     make mutants MUTANTS="--stage 2"    one of them
 
-tests/mistakes has the mistakes that somebody thought of; here are those that
-nobody did. A change that no test notices, a mutant that is *alive*, is either
-a hole in the tests or no mistake at all: equivalent.toml lists the latter with
-the reason. What ends the program with 1:
-
-- a mutant is alive that equivalent.toml does not have;
-- an entry of equivalent.toml fits no mutant, or one that a test notices;
-- the suite fails without any change.
+tests/mistakes has the mistakes that people make; here are those that nobody
+thought of. A change that no test notices, a mutant that is *alive*, is either
+a hole in the tests or no mistake at all: README.md says how to tell. The
+program ends with 1 where the suite fails without any change.
 
 Results are kept in build/mutants/: what has not changed since is not run
 again, and after a change of the tests each mutant is first shown to the test
@@ -18,6 +14,7 @@ that noticed it before.
 """
 
 import argparse
+import collections
 import concurrent.futures
 import dataclasses
 import json
@@ -28,7 +25,6 @@ import resource
 import subprocess
 import sys
 import threading
-import tomllib
 from pathlib import Path
 
 from compare.stages import BUILD, ROOT, Failure, stage_headers
@@ -36,7 +32,6 @@ from tests.mistakes import mistakes as catalogue
 from tests.mutants import edits, schema
 
 FOLDER = BUILD / "mutants"
-HERE = Path(__file__).parent
 
 # How many times as much processor time as all tests of a run without a change,
 # and how many seconds at least, a test may take before it is said not to end.
@@ -45,8 +40,6 @@ TIMES_AS_LONG, AT_LEAST = 8, 2
 # The quickest tests, which together take this share of the suite's time, are
 # run first, then more of them, and the slow ones last.
 SHARES = (0.05, 0.2, 0.5, 1)
-
-KINDS = ("units", "analytic scenes", "relations", "golden images", "crash", "time")
 
 
 @dataclasses.dataclass
@@ -224,32 +217,6 @@ def filter_text(name):
     return re.sub(r"[,\\]", "*", name)
 
 
-class Equivalents:
-    """equivalent.toml: changes that are no mistakes, and why."""
-
-    def __init__(self):
-        self.entries = []  # [stage, function or "", before, after, reason, uses]
-        for one in tomllib.loads((HERE / "equivalent.toml").read_text()).get("equivalent", []):
-            if not one["reason"].strip():
-                raise Failure(f"equivalent.toml: no reason is given for {one['changes'][0]}")
-            for stage in one["stages"]:
-                for before, after in one["changes"]:
-                    self.entries.append([stage, one.get("function", ""), before, after, one["reason"], 0])
-
-    def find(self, stage, mutant):
-        """The entry of a mutant, whose use is counted, or None."""
-        for entry in self.entries:
-            if entry[0] != stage or entry[1] not in ("", mutant.function):
-                continue
-            if (entry[2], entry[3]) == (mutant.before, mutant.after):
-                entry[5] += 1
-                return entry
-        return None
-
-    def unused(self, stages):
-        return [entry for entry in self.entries if entry[0] in stages and entry[5] == 0]
-
-
 def run_stage(stage, jobs):
     """All of a stage's mutants; what is alive is printed as it comes."""
     program = stage.program()
@@ -270,82 +237,43 @@ def run_stage(stage, jobs):
     stage.save()
 
 
-def table(rows):
-    """Markdown: a line for each stage. `rows` are (stage, counts)."""
-    columns = ("mutants", "do not compile", *KINDS, "equivalent", "alive")
-    heads = [f"killed by {name}" if name in KINDS else name for name in columns]
-    lines = ["| stage | " + " | ".join(heads) + " |", "|---" * (len(columns) + 1) + "|"]
-    total = dict.fromkeys(columns, 0)
-    for stage, counts in rows:
-        lines.append(f"| {stage} | " + " | ".join(str(counts.get(name, 0)) for name in columns) + " |")
-        for name in columns:
-            total[name] += counts.get(name, 0)
-    lines.append("| all | " + " | ".join(str(total[name]) for name in columns) + " |")
-    return "\n".join(lines) + "\n"
-
-
-def counts_and_errors(stage, equivalents):
-    """Counts for the table; what is alive; what is wrong with equivalent.toml."""
-    counts, alive, errors = {"mutants": len(stage.mutants)}, [], []
+def report(stage):
+    """How many mutants became what, in a line, and each that is alive."""
+    counts, alive = collections.Counter(), []
     for number, mutant in stage.mutants.items():
         outcome = stage.outcome(number)
-        entry = equivalents.find(stage.number, mutant)
-        word = outcome.kind if outcome.state == "killed" else outcome.state
-        word = {"does not compile": "do not compile"}.get(word, word)
-        if entry and outcome.state == "alive":
-            word = "equivalent"
-        elif entry:
-            errors.append(
-                f"stage {stage.number}: listed as equivalent, and {outcome.state} ({outcome.kind} {outcome.test}): {stage.names[number]}"
-            )
-        if word == "alive":
+        counts[f"killed by {outcome.kind}" if outcome.state == "killed" else outcome.state] += 1
+        if outcome.state == "alive":
             line = stage.source[: mutant.edits[0][0]].count(b"\n") + 1
             alive.append((line, mutant))
-        counts[word] = counts.get(word, 0) + 1
-    return counts, alive, errors
-
-
-def publish(text):
-    """Puts the table into the page."""
-    page = HERE / "README.md"
-    parts = re.split(r"(<!-- table -->\n)(?:.*?)(<!-- end -->)", page.read_text(), flags=re.DOTALL)
-    page.write_text(parts[0] + parts[1] + "\n" + text + "\n" + parts[2] + parts[3])
+    words = ", ".join(f"{count} {word}" for word, count in counts.most_common())
+    text = f"stage {stage.number}: {len(stage.mutants)} mutants: {words}\n"
+    name = stage.header.relative_to(ROOT)
+    for line, mutant in alive:
+        text += (
+            f"\n{name}:{line}: {mutant.function}: {mutant.what}\n    {mutant.before}\n    {mutant.after}\n"
+        )
+    return text
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--stage", type=int, action="append", help="only this stage's; may be given again")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--publish", action="store_true", help="put the table into tests/mutants/README.md")
     options = parser.parse_args()
     numbers = options.stage or [int(path.parent.name[0]) for path in stage_headers()]
-    rows, report, errors = [], [], []
+    reports = []
     try:
-        equivalents = Equivalents()
         for number in numbers:
             stage = Stage(number)
             run_stage(stage, options.jobs)
-            counts, alive, wrong = counts_and_errors(stage, equivalents)
-            rows.append((number, counts))
-            errors += wrong
-            name = stage.header.relative_to(ROOT)
-            for line, mutant in alive:
-                report.append(
-                    f"{name}:{line}: {mutant.function}: {mutant.what}\n    {mutant.before}\n    {mutant.after}\n"
-                )
+            reports.append(report(stage))
     except (Failure, OSError, subprocess.CalledProcessError) as failure:
         sys.exit(f"mutants: {failure}")
-    for entry in equivalents.unused(numbers):
-        errors.append(f"equivalent.toml: stage {entry[0]} has no such change: {entry[2]} -> {entry[3]}")
-    text = table(rows)
-    (FOLDER / "table.md").write_text(text)
-    (FOLDER / "alive.txt").write_text("\n".join(report))
-    print("\n".join(["", *report, *errors, text]))
-    if options.publish:
-        publish(text)
-    print(f"What is alive: {FOLDER / 'alive.txt'}")
-    return 1 if report or errors else 0
+    FOLDER.joinpath("alive.txt").write_text("\n".join(reports))
+    print("\n".join(["", *reports]))
+    print(f"This list is {FOLDER / 'alive.txt'}")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
