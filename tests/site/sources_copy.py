@@ -11,7 +11,18 @@ import unittest
 
 from compare.stages import BUILD, ROOT, built_stages
 
-SOURCES = ["cmake", "common", "compare", "scenes", "slides", "stages", "tests/mistakes", "tests/runner", "tools"]
+SOURCES = [
+    "cmake",
+    "common",
+    "compare",
+    "scenes",
+    "slides",
+    "stages",
+    "tests/every_stage",
+    "tests/mistakes",
+    "tests/runner",
+    "tools",
+]
 SOURCES += [f"tests/{name.replace('_tests', '')}" for name in built_stages()]
 STAGE1 = "stages/1_diffuse/path_tracer.hpp"
 STAGE3 = "stages/3_specular_refraction/path_tracer.hpp"
