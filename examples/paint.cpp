@@ -27,7 +27,6 @@ int main() {
   scene.add(Sphere{{-0.5f, -0.7f, 0.25f}, 0.3f, plastic});
   scene.add(Sphere{{0.5f, -0.7f, -0.25f}, 0.3f, glass});
   scene.add(PointLight{{0, 0.5f, 0}, Vec3(1)});
-  scene.geometry.prepare();
 
   scene.camera.width = scene.camera.height = 128;
   const auto picture =

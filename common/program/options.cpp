@@ -133,7 +133,7 @@ std::optional<Value> named(const std::string& text, const Names& names) {
 }
 
 /// The options beside the scene that say what is rendered.
-void add_render_options(CLI::App& app, const CommandLine& expected,
+void add_render_options(CLI::App& app, const Program& program,
                         Options& options) {
   const RenderSettings defaults;
   const Camera camera;
@@ -142,8 +142,8 @@ void add_render_options(CLI::App& app, const CommandLine& expected,
             "Samples per pixel")
       ->default_str(or_scene + std::to_string(defaults.samples_per_pixel));
   add_whole(app, "--max-bounces", options.max_bounces, 0,
-            expected.most_bounces, "Longest path, in bounces")
-      ->default_str(or_scene + std::to_string(expected.default_bounces));
+            program.most_bounces, "Longest path, in bounces")
+      ->default_str(or_scene + std::to_string(program.default_bounces));
   add_whole(app, "--seed", options.seed, std::uint64_t{0},
             std::numeric_limits<std::uint64_t>::max(),
             "Another seed gives other noise")
@@ -211,13 +211,11 @@ void add_tone_options(CLI::App& app, std::vector<ToneStep>& steps,
 }  // namespace
 
 std::optional<int> parse_options(int argc, char** argv,
-                                 const CommandLine& expected,
-                                 Options& options) {
-  const std::string& program = expected.program;
+                                 const Program& program, Options& options) {
   const std::string example =
-      "build/" + program +
+      "build/" + program.name +
       " scenes/cornell_box_ceiling_diffuse.toml -o box.png";
-  CLI::App app(expected.description, program);
+  CLI::App app(program.description, program.name);
   app.formatter(
       std::make_shared<HelpText>(example, "SCENE -o IMAGE [OPTION]..."));
   app.allow_windows_style_options(false);  // /home/ana/box.toml is a file
@@ -237,7 +235,7 @@ std::optional<int> parse_options(int argc, char** argv,
                  "What was rendered and how fast, for programs (.json)")
       ->type_name("FILE")
       ->check(named_with("reports", std::array{".json"}));
-  add_render_options(app, expected, options);
+  add_render_options(app, program, options);
   CLI::Option* const pixel =
       add_parsed(app, "--pixel", options.pixel, pixel_of,
                  " is not a pixel like 120,80, from 0,0 on",
@@ -255,7 +253,7 @@ std::optional<int> parse_options(int argc, char** argv,
   app.add_flag("-q,--quiet", options.quiet, "Say nothing but errors");
   add_help_and_version(
       app,
-      LIGHTWALK_VERSION + (expected.way.empty() ? "" : ", " + expected.way));
+      LIGHTWALK_VERSION + (program.mode.empty() ? "" : ", " + program.mode));
   app.footer(
       "Ctrl-C writes what was rendered so far; an old picture is kept until "
       "each pixel has a sample. "
@@ -266,10 +264,10 @@ std::optional<int> parse_options(int argc, char** argv,
   } catch (const CLI::Success& success) {
     return app.exit(success);
   } catch (const CLI::ParseError& error) {
-    return wrong_usage(program, what_is_wrong(app, error));
+    return wrong_usage(program.name, what_is_wrong(app, error));
   }
   const auto required = [&](const std::string& what) {
-    return wrong_usage(program,
+    return wrong_usage(program.name,
                        what + " is required, as in '" + example + "'");
   };
   if (app.count("SCENE") == 0) return required("a scene");

@@ -10,6 +10,7 @@
 #include "common/image/render_result.hpp"
 #include "common/image/tone_mapping.hpp"
 #include "common/render/render_settings.hpp"
+#include "common/scene_file/syllabus.hpp"
 
 namespace lightwalk {
 
@@ -32,19 +33,19 @@ struct Options {
   bool quiet = false;
 };
 
-/// What the command line has to fit.
-struct CommandLine {
-  std::string program;      ///< its name
-  std::string description;  ///< one line for --help
-  std::string way;          ///< what --version says besides; may be empty
-  int most_bounces;
+/// What a stage tells the program about itself.
+struct Program {
+  std::string name = {};         ///< "stage1"
+  std::string description = {};  ///< one line for --help
+  std::string mode = {};         ///< what --version says besides
+  Syllabus syllabus = {};        ///< which scenes it can paint
   int default_bounces = bounce_cap;
+  int most_bounces = bounce_cap;
 };
 
 /// Reads the command line into `options`. Returns the exit code where there
 /// is nothing to render: 0 after --help or --version, 2 after wrong usage.
 std::optional<int> parse_options(int argc, char** argv,
-                                 const CommandLine& expected,
-                                 Options& options);
+                                 const Program& program, Options& options);
 
 }  // namespace lightwalk

@@ -123,7 +123,7 @@ void say_what_was_rendered(const Report& report) {
 }
 
 int paint_scene(const Program& program, const Tracing& tracing,
-                const Options& options, const LoadedScene& loaded,
+                const Options& options, LoadedScene& loaded,
                 const RenderSettings& settings) {
   const Camera& camera = loaded.scene.camera;
   check_memory(camera);
@@ -236,12 +236,7 @@ int run(int argc, char** argv, const Program& program,
         const Tracing& tracing) {
   prepare_console();
   Options options;
-  const CommandLine expected{.program = program.name,
-                             .description = program.description,
-                             .way = program.way,
-                             .most_bounces = program.most_bounces,
-                             .default_bounces = program.default_bounces};
-  if (const auto code = parse_options(argc, argv, expected, options)) {
+  if (const auto code = parse_options(argc, argv, program, options)) {
     return *code;
   }
   try {

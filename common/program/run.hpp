@@ -4,26 +4,15 @@
 // once, in run.cpp, and knows no path tracer: it gets two functions of it.
 
 #include <atomic>
-#include <string>
 
+#include "common/program/options.hpp"
 #include "common/render/paint.hpp"
-#include "common/scene_file/syllabus.hpp"
 
 namespace lightwalk {
 
-/// What a stage tells the program about itself.
-struct Program {
-  std::string name = {};         ///< "stage1"
-  std::string description = {};  ///< one line for --help
-  std::string way = {};          ///< what --version says besides
-  Syllabus syllabus = {};        ///< which scenes it can paint
-  int default_bounces = bounce_cap;
-  int most_bounces = bounce_cap;
-};
-
 /// What the program asks of a path tracer.
 struct Tracing {
-  RenderResult (*paint)(const Scene&, const RenderSettings&,
+  RenderResult (*paint)(Scene&, const RenderSettings&,
                         const std::atomic<bool>& stop, RenderProgress&);
   Vec3 (*sample)(const Scene&, const RenderSettings&, const PixelSample&);
 };

@@ -44,12 +44,12 @@ TileRenderer tile_renderer(const Scene& scene,
   }
 }
 
-/// The picture of a scene whose `geometry.prepare()` has been called. Ends
-/// early, with fewer samples, where `stop` is set; `progress` may be read
-/// meanwhile.
+/// The picture of a scene, which is prepared first. Ends early, with fewer
+/// samples, where `stop` is set; `progress` may be read meanwhile.
 template <class PathTracer>
-RenderResult paint(const Scene& scene, const RenderSettings& settings,
+RenderResult paint(Scene& scene, const RenderSettings& settings,
                    const std::atomic<bool>& stop, RenderProgress& progress) {
+  scene.prepare();
   Film film(scene.camera.width, scene.camera.height);
   render(tile_renderer<PathTracer>(scene, settings), settings, film, stop,
          progress);
@@ -60,7 +60,7 @@ RenderResult paint(const Scene& scene, const RenderSettings& settings,
 
 /// The same, to its end.
 template <class PathTracer>
-RenderResult paint(const Scene& scene, const RenderSettings& settings) {
+RenderResult paint(Scene& scene, const RenderSettings& settings) {
   const std::atomic<bool> stop{false};
   RenderProgress progress;
   return paint<PathTracer>(scene, settings, stop, progress);

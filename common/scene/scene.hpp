@@ -8,6 +8,8 @@
 
 #include <deque>
 #include <optional>
+#include <variant>
+#include <vector>
 
 #include "common/geometry/geometry.hpp"
 #include "common/scene/camera.hpp"
@@ -66,29 +68,27 @@ struct Scene {
     return &materials.emplace_back(material);
   }
 
-  // Shapes come after the camera, from where they are seen.
-  void add(const PointLight& light) { lights.push_back({light}); }
-  void add(const Plane& plane) { geometry.add(plane); }
-  void add(const Triangle& triangle) {
-    geometry.add(set_apart(triangle, camera.origin));
-  }
-  void add(Sphere sphere) {
-    if (sphere.material->emits()) {
-      sphere.light = &lights.emplace_back(Light{
-          SphereLight{sphere.center, sphere.radius, sphere.material->ke}});
+  /// A shape or a point light. Rays meet it after prepare().
+  using Addition =
+      std::variant<PointLight, Plane, Sphere, Rectangle, Triangle>;
+  void add(const Addition& one) { added_.push_back(one); }
+
+  /// Makes `geometry` and `lights` of what was added since the last time, seen
+  /// from where the camera is now. paint() calls it.
+  void prepare() {
+    for (const Addition& one : added_) {
+      std::visit([this](const auto& thing) { place(thing); }, one);
     }
-    geometry.add(sphere);
-  }
-  void add(const Rectangle& rectangle) {
-    Rectangle r = set_apart(rectangle, camera.origin);
-    if (r.material->emits()) {
-      r.light = &lights.emplace_back(Light{
-          RectangleLight{r.corner, r.edge_u, r.edge_v, r.material->ke}});
-    }
-    geometry.add(r);
+    added_ = {};
+    geometry.prepare();
   }
 
-  /// The first surface that the ray meets, if there is one.
+  /// The first surface that the ray meets, if there is one. The ray's
+  /// direction is a unit vector.
+  ///
+  /// In a render it may throw `Stopped` (common/render/render_progress.hpp):
+  /// one sample of a tree of paths can take longer than anybody waits, so
+  /// every 256 rays it asks whether the render is over. Let it pass.
   std::optional<Hit> nearest_hit(const Ray& ray) const {
     count_ray();
     note_ray(ray);
@@ -96,7 +96,7 @@ struct Scene {
   }
 
   /// Whether the ray reaches the light: it meets nothing before `distance`
-  /// but the light itself.
+  /// but the light itself. It may throw `Stopped`, too.
   bool reaches(const Ray& ray, float distance, const Light& light) const {
     count_ray();
     const bool has_surface = !std::holds_alternative<PointLight>(light.form);
@@ -105,6 +105,30 @@ struct Scene {
     note_shadow_ray(ray, distance, reached);
     return reached;
   }
+
+ private:
+  void place(const PointLight& light) { lights.push_back({light}); }
+  void place(const Plane& plane) { geometry.add(plane); }
+  void place(const Triangle& triangle) {
+    geometry.add(set_apart(triangle, camera.origin));
+  }
+  void place(Sphere sphere) {
+    if (sphere.material->emits()) {
+      sphere.light = &lights.emplace_back(Light{
+          SphereLight{sphere.center, sphere.radius, sphere.material->ke}});
+    }
+    geometry.add(sphere);
+  }
+  void place(const Rectangle& rectangle) {
+    Rectangle r = set_apart(rectangle, camera.origin);
+    if (r.material->emits()) {
+      r.light = &lights.emplace_back(Light{
+          RectangleLight{r.corner, r.edge_u, r.edge_v, r.material->ke}});
+    }
+    geometry.add(r);
+  }
+
+  std::vector<Addition> added_;
 };
 
 }  // namespace lightwalk

@@ -43,10 +43,10 @@ class SceneReader {
              [&](const toml::node& node) { shapes_.read(node); });
     for_each(file, "lights", "light",
              [&](const toml::node& node) { read_light(node); });
+    loaded_.scene.prepare();
     if (loaded_.scene.geometry.size() == 0) {
       fail_at(root, "the scene has no [[shapes]]");
     }
-    loaded_.scene.geometry.prepare();
     for (const auto& [name, material] : materials_.by_name()) {
       loaded_.material_names[material] = name;
     }

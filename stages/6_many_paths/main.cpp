@@ -13,8 +13,8 @@ int main(int argc, char** argv) {
       argc, argv,
       {.name = "stage6",
        .description = "Path tracing, stage 6: many paths at once",
-       .way = stage6::paths_at_once > 1
-                  ? set + ": " + paths + " paths at once"
-                  : set + ": one path at a time, by stage 5",
+       .mode = stage6::paths_at_once > 1
+                   ? set + ": " + paths + " paths at once"
+                   : set + ": one path at a time, by stage 5",
        .syllabus = syllabus(6)});
 }

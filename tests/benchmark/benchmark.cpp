@@ -91,7 +91,7 @@ Scene crowded_box(std::int64_t count, bool triangles) {
     }
   }
   scene.add(PointLight{{0, 0.95f, -1.5f}, Vec3(1)});
-  scene.geometry.prepare();
+  scene.prepare();
   return scene;
 }
 

@@ -53,7 +53,7 @@ struct NoStandardException {
 }  // namespace
 
 TEST_CASE("what a path tracer throws comes out of the render") {
-  const Scene scene = scene_of(100, 80);
+  Scene scene = scene_of(100, 80);
   for (const int threads : {1, 2, 8}) {
     const RenderSettings settings{.samples_per_pixel = 4, .threads = threads};
     CAPTURE(threads);
@@ -65,7 +65,7 @@ TEST_CASE("what a path tracer throws comes out of the render") {
 }
 
 TEST_CASE("a thread casts rays as before after a render that threw") {
-  const Scene scene = scene_of(4, 4);
+  Scene scene = scene_of(4, 4);
   CHECK_THROWS(paint<Throwing<std::runtime_error>>(scene, {.threads = 1}));
   CHECK(ray_watcher == nullptr);
   for (int i = 0; i < 1000; ++i) scene.nearest_hit(ray);

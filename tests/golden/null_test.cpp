@@ -23,7 +23,7 @@ struct Count {
 template <class PathTracer>
 void add_stage(int stage, int seeds, Count& total) {
   for (const std::string& name : golden_names(stage)) {
-    const Golden golden = load_golden(stage, name);
+    Golden golden = load_golden(stage, name);
     const Rerender rerender =
         renderer<PathTracer>(golden.loaded.scene, golden.settings);
     Count count;

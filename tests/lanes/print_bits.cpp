@@ -80,8 +80,8 @@ void add_box(Scene& scene) {
       scene.add(Material{.kd = {0.2f, 0.2f, 0.6f}, .ks = Vec3(0.3f)});
   const Material* glass =
       scene.add(Material{.ks = Vec3(0.1f), .kt = Vec3(0.9f)});
-  const Material* crystal = scene.add(
-      Material{.ks = Vec3(1), .kt = Vec3(1), .fresnel = true});
+  const Material* crystal =
+      scene.add(Material{.ks = Vec3(1), .kt = Vec3(1), .fresnel = true});
   const Material* lamp = scene.add(Material{.ke = {10, 9, 8}});
   scene.camera.width = scene.camera.height = 48;
   scene.add(Plane{{1, 0, 0}, 1, red});
@@ -93,9 +93,9 @@ void add_box(Scene& scene) {
   scene.add(Sphere{{0.5f, -0.7f, -0.25f}, 0.3f, glass});
   scene.add(Sphere{{0, 0.1f, 0.3f}, 0.2f, crystal});
   scene.add(Triangle{{-1, -0.5f, 1}, {2, 0, 0}, {0, 1, 0}, plastic});
-  scene.add(Rectangle{{-0.3f, 0.95f, -0.1f}, {0.6f, 0, 0}, {0, 0, 0.6f}, lamp});
+  scene.add(
+      Rectangle{{-0.3f, 0.95f, -0.1f}, {0.6f, 0, 0}, {0, 0, 0.6f}, lamp});
   scene.add(PointLight{{0.3f, 0.5f, 0}, Vec3(0.2f)});
-  scene.geometry.prepare();
 }
 
 template <class PathTracer>

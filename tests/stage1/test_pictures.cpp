@@ -14,7 +14,7 @@ using stage1::PathTracer;
 TEST_SUITE_BEGIN("relations");
 
 TEST_CASE("uniform and cosine sampling paint the same picture") {
-  const Scene scene = scene_file("cornell_box_ceiling_diffuse");
+  Scene scene = scene_file("cornell_box_ceiling_diffuse");
   RenderSettings settings;
   settings.samples_per_pixel = 512;
   settings.max_bounces = 4;

@@ -298,6 +298,7 @@ TEST_CASE("no lamp is in its own way") {
   const Material* lamp = scene.add(shining);
   scene.add(Rectangle({300, 200, -100}, {2, 0, 1}, {0.5f, 1, 0}, lamp));
   scene.add(Sphere{{-70, 40, 90}, 3, lamp});
+  scene.prepare();
   Random random(5, 0, 0);
   int facing = 0;
   for (int i = 0; i < 20'000; ++i) {

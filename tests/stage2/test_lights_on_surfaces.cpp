@@ -71,6 +71,7 @@ Scene lit_floor(const Place& place, Cover cover, Lamp lamp, float above) {
     scene.add(Sphere{center + side * lamp_radius * place.direction({0, 1, 0}),
                      lamp_radius, bright});
   }
+  scene.prepare();
   return scene;
 }
 

@@ -26,7 +26,7 @@ TEST_CASE("asking the lamps gives the picture that finding them gives") {
   for (const Case& one : cases) {
     CAPTURE(one.scene);
     CAPTURE(one.max_bounces);
-    const Scene scene = scene_file(one.scene, 24, 24);
+    Scene scene = scene_file(one.scene, 24, 24);
     RenderSettings settings;
     settings.max_bounces = one.max_bounces;
     settings.samples_per_pixel = 1024;
@@ -44,7 +44,7 @@ TEST_CASE("asking the lamps gives the picture that finding them gives") {
 }
 
 TEST_CASE("uniform and cosine sampling paint the same picture") {
-  const Scene scene = scene_file("cornell_box_point_diffuse", 24, 24);
+  Scene scene = scene_file("cornell_box_point_diffuse", 24, 24);
   RenderSettings settings;
   settings.samples_per_pixel = 512;
   settings.max_bounces = 4;

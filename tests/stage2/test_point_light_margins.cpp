@@ -34,6 +34,7 @@ struct Lit {
     scene.add(Plane{up, -dot(up, below), floor});
     scene.add(Plane{-up, dot(up, wall), dark});
     scene.add(PointLight{center, Vec3(1)});
+    scene.prepare();
   }
 
   /// Of 1000 places on the floor around `below`, how many get light.

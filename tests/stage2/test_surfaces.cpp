@@ -71,6 +71,7 @@ TEST_CASE("a lit wall has no dark spots where it shades itself") {
   const Vec3 normal(0.48f, 0.6f, 0.64f);
   const Vec3 center = -900.0f * normal;
   scene.add(PointLight{center, Vec3(1e4f)});
+  scene.prepare();
   const PathTracer tracer(scene, bounces(8));
   Random random(1, 0, 0);
   for (int i = 0; i < 10'000; ++i) {

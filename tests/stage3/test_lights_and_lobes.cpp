@@ -98,7 +98,7 @@ TEST_CASE("without specular lobes the picture is stage 2's") {
        {"cornell_box_point_diffuse", "cornell_box_lamp_diffuse",
         "cornell_box_ceiling_diffuse"}) {
     CAPTURE(name);
-    const Scene scene = scene_file(name, 24, 24);
+    Scene scene = scene_file(name, 24, 24);
     RenderSettings settings;
     settings.max_bounces = 4;
     settings.samples_per_pixel = 256;

@@ -23,7 +23,7 @@ TEST_CASE("with a bound of N bounces the picture is stage 3's") {
   for (const Case& one : cases) {
     INFO("scene ", one.scene, ", at most ", one.max_bounces,
          " bounces, against stage 3");
-    const Scene scene = scene_file(one.scene, 24, 24);
+    Scene scene = scene_file(one.scene, 24, 24);
     RenderSettings settings;
     settings.max_bounces = one.max_bounces;
     settings.samples_per_pixel = 256;
@@ -33,7 +33,7 @@ TEST_CASE("with a bound of N bounces the picture is stage 3's") {
 }
 
 TEST_CASE("rays per sample do not grow with the bound, as stage 3's do") {
-  const Scene scene = scene_file("plastic", 16, 16);
+  Scene scene = scene_file("plastic", 16, 16);
   RenderSettings settings;
   settings.samples_per_pixel = 4;
   settings.max_bounces = 10;

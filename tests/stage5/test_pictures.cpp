@@ -17,7 +17,7 @@ TEST_CASE("without fresnel and patterns the picture is stage 4's") {
         "cornell_box_lamp_diffuse", "plastic", "coloured_lobes", "glass_cube",
         "mirror_corridor"}) {
     CAPTURE(name);
-    const Scene scene = scene_file(name, 20, 20);
+    Scene scene = scene_file(name, 20, 20);
     RenderSettings settings;
     settings.samples_per_pixel = 8;
     const auto fourth = paint<stage4::PathTracer>(scene, settings);
@@ -36,9 +36,9 @@ TEST_CASE("without fresnel and patterns the picture is stage 4's") {
 // colors, and Schlick's curve between two.
 TEST_CASE("a pattern of one color is that color, to the bit") {
   const auto picture = [](const std::string& coefficients) {
-    const Scene scene = scene_text("[materials]\nthing = " + coefficients +
-                                   "\nlamp = { ke = 1 }\n" +
-                                   R"([[shapes]]
+    Scene scene = scene_text("[materials]\nthing = " + coefficients +
+                             "\nlamp = { ke = 1 }\n" +
+                             R"([[shapes]]
 type = "sphere"
 center = [0, 0, 0]
 radius = 0.8

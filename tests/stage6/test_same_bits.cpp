@@ -164,7 +164,7 @@ Scene random_scene(std::uint64_t seed) {
   for (int i = 0; i < lights; ++i) {
     scene.add(PointLight{vector(0.8f), color(1)});
   }
-  scene.geometry.prepare();
+  scene.prepare();
   return scene;
 }
 
@@ -248,7 +248,7 @@ TEST_CASE("a scene of no shapes and one of no lights are black") {
   Scene empty;
   empty.camera.width = empty.camera.height = 8;
   empty.add(PointLight{{0, 0, 0}, Vec3(1)});
-  empty.geometry.prepare();
+  empty.prepare();
   check_same_bits_as_stage5("a light alone", empty,
                             settings_of(2, 4, Sampling::cosine));
 }

@@ -14,7 +14,7 @@ namespace lightwalk::tests {
 
 /// Renders the scene with other samples and seeds, all else as in `settings`.
 template <class PathTracer>
-Rerender renderer(const Scene& scene, const RenderSettings& settings) {
+Rerender renderer(Scene& scene, const RenderSettings& settings) {
   return [&scene, settings](int samples, std::uint64_t seed) {
     RenderSettings changed = settings;
     changed.samples_per_pixel = samples;

@@ -46,7 +46,7 @@ std::string broken_outright(const RenderResult& result);
 /// Renders a golden's scene and compares. At most a screenful is printed.
 template <class PathTracer>
 void check_golden(int stage, const std::string& name) {
-  const Golden golden = load_golden(stage, name);
+  Golden golden = load_golden(stage, name);
   const Rerender rerender =
       renderer<PathTracer>(golden.loaded.scene, golden.settings);
   const int samples = golden.settings.samples_per_pixel;

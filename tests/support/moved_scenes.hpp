@@ -66,6 +66,7 @@ inline Scene moved(const Scene& scene, const Motion& motion,
     result.add(PointLight{motion.position(on_grid(point->center)),
                           motion.scale * motion.scale * point->intensity});
   }
+  result.prepare();
   return result;
 }
 
@@ -118,8 +119,8 @@ void check_moved(const std::string& name, int samples, int max_bounces) {
   settings.samples_per_pixel = samples;
   settings.max_bounces = max_bounces;
   const auto picture = [&](const Motion& motion, float wall_radius = 0) {
-    return paint<PathTracer>(moved(scene, motion, wall_radius), settings)
-        .radiance;
+    Scene there = moved(scene, motion, wall_radius);
+    return paint<PathTracer>(there, settings).radiance;
   };
   const Image unmoved = picture({});
   const std::array<Motion, 7> motions = {{{1e-4f, {0, 0, 0}},

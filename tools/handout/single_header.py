@@ -75,8 +75,7 @@ $materials  box.add(Plane{{1, 0, 0}, 1, box.add(Material{.kd = {0.8f, 0.2f, 0.2f
   box.add(Plane{{0, 0, -1}, 1, white});
   box.add(Sphere{{-0.5f, -0.7f, 0.25f}, 0.3f, $left});
   box.add(Sphere{{0.5f, -0.7f, -0.25f}, 0.3f, $right});
-$light  box.geometry.prepare();
-  const auto picture = paint<stage$stage::PathTracer>($arguments);
+$light  const auto picture = paint<stage$stage::PathTracer>($arguments);
   std::ofstream("box.pfm", std::ios::binary) << encode_pfm(picture.radiance);
 }
 """

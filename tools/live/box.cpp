@@ -118,7 +118,7 @@ void furnish(Scene& scene, Lighting lighting, bool diffuse) {
   scene.add(Sphere{{-0.5f, -0.7f, 0.25f}, 0.3f, left});
   scene.add(Sphere{{0.5f, -0.7f, -0.25f}, 0.3f, right});
   light_it(scene, lighting, white);
-  scene.geometry.prepare();
+  scene.prepare();
 }
 
 }  // namespace lightwalk
