@@ -1,28 +1,19 @@
 # The front door. `make` renders the lab's box with the newest stage;
 # `make help` lists what else there is.
 
-# What people type is text: make must not run what a file's name says. It goes
-# to programs by the environment, and there in quotes.
-SEEDS ?= 200
-ORDERS ?= 2
-SECONDS ?= 60
-FUZZ_SECONDS := $(value SECONDS)# a shell may count its own SECONDS
-typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS FUZZ_SECONDS \
-  STAGE OUT INTO SOLUTIONS ORDERS FRESH
+# Make runs nothing that a name says: what people type goes to programs by the
+# environment, unexpanded, and in recipes it is a shell variable in quotes.
+typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS STAGE OUT INTO \
+  SOLUTIONS ORDERS FRESH SECONDS BUILD
 $(foreach name,$(typed),$(eval override $(name) := $$(value $(name))))
-export $(typed)
+export $(filter-out BUILD,$(typed))
 
-BUILD  ?= build
-# A rule's name can have no blank, and it is part of many.
-override BUILD := $(value BUILD)
-ifneq ($(words $(BUILD)),1)
-  $(error BUILD='$(BUILD)': a folder's name without blanks is expected)
+override BUILD := $(or $(BUILD),build)
+# It is a part of rules and of recipes.
+ifneq ($(words $(BUILD))$(strip $(foreach sign,; & | < > ( ) ` " ' $$ \,$(findstring $(sign),$(BUILD)))),1)
+  $(error BUILD='$(BUILD)': a folder's name without blanks and signs of the shell is expected)
 endif
-dollar := $$
-comma := ,
-ifneq ($(strip $(foreach bad,$(dollar) ` " ' \ ; & | < > ( ) * ? [ ] { } ! : $(comma),$(findstring $(bad),$(BUILD)))),)
-  $(error BUILD='$(BUILD)': letters$(comma) digits and . _ - + / ~ @ are expected)
-endif
+
 # Set CMAKE_ARGS to pass more to CMake, such as -DCMAKE_CXX_COMPILER=clang++.
 CMAKE_ARGS ?=
 JOBS   ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -150,7 +141,7 @@ handout: setup
 
 # Five to ten minutes; ORDERS=1 puts the solutions in in the chapter's order only.
 handouts: setup
-	@python3 -m tools.handout.prove --orders "$$ORDERS"
+	@python3 -m tools.handout.prove --orders "$${ORDERS:-2}"
 
 # make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml OPTIONS="--spp 64": A and
 # B may be stages, images, or programs. Exit code 1 where they differ.
@@ -175,7 +166,7 @@ goldens: build
 # How often the goldens reject a right program: minutes.
 null-test: build
 	@$(compile) null_test
-	@$(BUILD)/null_test "$$SEEDS"
+	@$(BUILD)/null_test "$${SEEDS:-200}"
 
 # Takes minutes at first; later runs repeat only what has changed. MISTAKES
 # names a few of them, or gives the program's options: MISTAKES="--stage 2".
@@ -197,10 +188,11 @@ $(BUILD)/fuzz/CMakeCache.txt: | setup-fuzz
 	  -DLIGHTWALK_FUZZ=ON $(CMAKE_ARGS) > $(@D)/configure.log 2>&1 \
 	  || { cat $(@D)/configure.log; rm -f $@; exit 1; }
 
+fuzz: export FUZZ_SECONDS = $(SECONDS)# a shell may count its own SECONDS
 fuzz: setup-fuzz $(BUILD)/fuzz/CMakeCache.txt
 	@cmake --build $(BUILD)/fuzz -j $(JOBS) --target harnesses > $(BUILD)/fuzz/build.log 2>&1 \
 	  || { cat $(BUILD)/fuzz/build.log; exit 1; }
-	@set -f; python3 -m tests.fuzz.fuzz -j $(JOBS) --seconds "$$FUZZ_SECONDS" $$HARNESS
+	@set -f; python3 -m tests.fuzz.fuzz -j $(JOBS) --seconds "$${FUZZ_SECONDS:-60}" $$HARNESS
 
 # Programs for Windows with this machine's registers, and what they do under
 # wine: minutes.

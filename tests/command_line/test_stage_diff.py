@@ -351,6 +351,14 @@ class Diff(programs.InFolder):
                 self.assertIn("the same bits", output)
                 self.assertFalse((self.folder / "ran").exists())
 
+    def test_a_build_folder_of_odd_letters_is_refused(self):
+        for name in ("a b", "a;touch ran", "$(shell touch ran)", "a`touch ran`", "a'b", 'a"b', "a\\b", "a(b"):
+            with self.subTest(name):
+                made = programs.run_command(["make", "-s", "help", f"BUILD={name}"], cwd=programs.ROOT)
+                self.assertEqual(made.returncode, 2)
+                self.assertIn(f"BUILD='{name}': a folder's name without", made.stderr)
+                self.assertFalse((programs.ROOT / "ran").exists())
+
 
 if __name__ == "__main__":
     unittest.main()
