@@ -10,7 +10,6 @@
 # listed that was switched off: -DLIGHTWALK_HIGHWAY=OFF is a wish.
 option(LIGHTWALK_HIGHWAY "Follow many paths at once where Highway is installed" ON)
 option(LIGHTWALK_OPENIMAGEIO "Use OpenImageIO where it is installed" ON)
-option(LIGHTWALK_SMALL_IMAGES "Use tinyexr and stb where OpenImageIO is not" ON)
 
 # watch(PATTERN...): a build runs CMake again when such a file comes or goes.
 function(watch)
@@ -66,7 +65,7 @@ if(LIGHTWALK_HIGHWAY AND LIGHTWALK_NATIVE AND instruction_sets AND NOT HIGHWAY_F
   leave_out(programs "stage 6 follows one path at a time" "Highway is missing")
 endif()
 
-# Images: OpenImageIO, or small libraries; ImageLibraries.cmake builds on this.
+# Images: OpenImageIO; Images.cmake builds on this.
 if(LIGHTWALK_OPENIMAGEIO)
   set(places ${CMAKE_PREFIX_PATH} ${CMAKE_SYSTEM_PREFIX_PATH})
   list(TRANSFORM places APPEND "/include/OpenImageIO/imageio.h")
@@ -75,19 +74,9 @@ if(LIGHTWALK_OPENIMAGEIO)
   set(CMAKE_MESSAGE_LOG_LEVEL ERROR)
   find_package(OpenImageIO CONFIG QUIET)
   unset(CMAKE_MESSAGE_LOG_LEVEL)
-endif()
-if(LIGHTWALK_SMALL_IMAGES)
-  find_package(ZLIB QUIET)
-  find_headers(TINYEXR_FOLDER tinyexr.h)
-  find_headers(STB_FOLDER stb_image_write.h stb)
-endif()
-if(NOT TARGET OpenImageIO::OpenImageIO AND NOT (TINYEXR_FOLDER AND STB_FOLDER)
-   AND (LIGHTWALK_OPENIMAGEIO OR LIGHTWALK_SMALL_IMAGES))
-  leave_out(programs "EXR, PNG and JPEG" "OpenImageIO is missing")
-elseif(LIGHTWALK_OPENIMAGEIO AND LIGHTWALK_SMALL_IMAGES
-       AND NOT (TARGET OpenImageIO::OpenImageIO AND TINYEXR_FOLDER AND STB_FOLDER))
-  leave_out(tests "the comparison of the image libraries"
-            "OpenImageIO, tinyexr or stb is missing")
+  if(NOT TARGET OpenImageIO::OpenImageIO)
+    leave_out(programs "EXR" "OpenImageIO is missing")
+  endif()
 endif()
 
 # Google Benchmark: `make bench`.

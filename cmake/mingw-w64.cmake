@@ -1,5 +1,5 @@
 # Programs for 64-bit Windows, made on Linux: a toolchain file for CMake, with
-# Debian's g++-mingw-w64-x86-64-posix and libz-mingw-w64-dev.
+# Debian's g++-mingw-w64-x86-64-posix.
 #
 #   cmake -S . -B build-windows -DCMAKE_TOOLCHAIN_FILE=cmake/mingw-w64.cmake
 #
@@ -12,7 +12,7 @@ set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
 
 set(header_folder ${CMAKE_BINARY_DIR}/headers/include)
 file(MAKE_DIRECTORY ${header_folder})
-foreach(header glm CLI toml++ nlohmann doctest hwy stb tinyexr.h)
+foreach(header glm CLI toml++ nlohmann doctest hwy stb)
   if(EXISTS /usr/include/${header} AND NOT EXISTS ${header_folder}/${header})
     file(CREATE_LINK /usr/include/${header} ${header_folder}/${header} SYMBOLIC)
   endif()
@@ -24,7 +24,6 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(LIGHTWALK_HEADER_FOLDER ${header_folder})
-set(ZLIB_LIBRARY /usr/x86_64-w64-mingw32/lib/libz.a CACHE FILEPATH "")
 
 # Nothing to be installed beside the programs.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")

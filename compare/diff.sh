@@ -1,6 +1,6 @@
 #!/bin/sh
 # Renders and compares: A and B in the environment are stages (stage3), images
-# (.exr, .pfm, .ppm), or any program with the stages' command line. SCENE is
+# (.pfm, .exr, .ppm), or any program with the stages' command line. SCENE is
 # what they render, and OPTIONS what they are told beyond that ("--spp 64").
 # Exit codes: 0 the same, 1 different, 2 cannot compare.
 #
@@ -43,7 +43,7 @@ image_of() {
   [ -f "$program" ] && [ -x "$program" ] ||
     cannot "$1: '$2' is no stage, no image and no program"
   [ -n "${SCENE:-}" ] || cannot "SCENE=... is missing"
-  image=$folder/$1.exr
+  image=$folder/$1.pfm
   # OPTIONS are words, and no patterns of file names: -f is set.
   # shellcheck disable=SC2086
   "$program" "$SCENE" -o "$image" --seed "$3" --size 128x128 ${OPTIONS:-} \

@@ -28,10 +28,6 @@ struct CannotCompare : std::runtime_error {
 };
 
 RenderResult read(const std::string& path) {
-  const std::string format = ending(path);
-  if (format != ".exr" && format != ".pfm" && format != ".ppm") {
-    throw CannotCompare(path + ": only .exr, .pfm and .ppm hold radiance");
-  }
   RenderResult result;
   try {
     result = read_image(path);
@@ -80,8 +76,8 @@ std::string no_variance(const std::string& a_path, const RenderResult& a,
                        : ": it has no variance");
   };
   return "cannot compare: " + why(a_path, a) + "; " + why(b_path, b) +
-         "; at least one of them must be an .exr of two samples or more, or "
-         "nobody can say what is noise";
+         "; at least one of them must be an .exr or a .pfm of two samples or "
+         "more, or nobody can say what is noise";
 }
 
 /// An image without variance is taken to be as noisy as the other: a sample
@@ -313,12 +309,12 @@ int main(int argc, char** argv) {
   std::string a, b, picture;
   bool json = false, other_seeds = false;
   const std::string program = "stage-diff";
-  const std::string example = "build/stage-diff a.exr b.exr -o diff.png";
+  const std::string example = "build/stage-diff a.pfm b.pfm -o diff.png";
   CLI::App app("Are two renders the same picture, but for their noise?",
                program);
   app.formatter(std::make_shared<HelpText>(example, "A B [OPTION]..."));
-  app.allow_windows_style_options(false);  // /home/ana/a.exr is a file
-  app.add_option("A", a, "Image (.exr, .pfm or .ppm)");
+  app.allow_windows_style_options(false);  // /home/ana/a.pfm is a file
+  app.add_option("A", a, "Image (.pfm, .exr, .ppm, .hdr or .tif)");
   app.add_option("B", b, "Image to compare with, the reference");
   app.add_option("-o,--output", picture,
                  "One picture of both, their difference and z (.png)")

@@ -81,6 +81,11 @@ has_libfuzzer() {
   return 1
 }
 
+# Some systems have a folder for it.
+has_stb() {
+  has_header stb_image.h || has_header stb/stb_image.h
+}
+
 has_webassembly() {
   printf '#include <vector>\nint main() { return std::vector<int>(1)[0]; }\n' |
     "${WASM_CXX:-clang++}" --target=wasm32-wasi -fno-exceptions -x c++ - \

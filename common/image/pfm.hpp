@@ -19,6 +19,7 @@
 #include <string_view>
 
 #include "common/files/file_error.hpp"
+#include "common/files/read_file.hpp"
 #include "common/image/image.hpp"
 #include "common/image/image_limits.hpp"
 #include "common/image/render_result.hpp"
@@ -64,8 +65,7 @@ struct PfmHeader {
 inline constexpr std::size_t longest_pfm_header = 1000;
 
 inline PfmHeader read_pfm_header(std::string_view bytes) {
-  std::istringstream header(
-      std::string(bytes.substr(0, longest_pfm_header)));
+  std::istringstream header(std::string(bytes.substr(0, longest_pfm_header)));
   std::string magic;
   header >> magic;
   InfoTexts comments;
@@ -83,10 +83,7 @@ inline PfmHeader read_pfm_header(std::string_view bytes) {
         "it is not a PFM file, which begins with PF or Pf, width, height, "
         "and a scale that is not 0");
   }
-  if (const std::string error = check_written_size(width, height);
-      !error.empty()) {
-    throw FileError(error);
-  }
+  check_size(width, height);
   const std::size_t channels = magic == "PF" ? 3 : 1;
   const std::size_t end =
       header.eof() ? bytes.size() : static_cast<std::size_t>(header.tellg());
@@ -97,11 +94,6 @@ inline PfmHeader read_pfm_header(std::string_view bytes) {
           end + (bytes.substr(end).starts_with("\r\n") ? 2 : 1),
           static_cast<std::size_t>(width * height) * channels * sizeof(float),
           comments};
-}
-
-/// Upper bound of the bytes to read.
-inline std::size_t most_pfm_bytes(const std::string& first_bytes) {
-  return 2 * (longest_pfm_header + read_pfm_header(first_bytes).data_bytes);
 }
 
 /// Takes a picture from the beginning of `bytes`, in both byte orders, color
@@ -149,6 +141,14 @@ inline RenderResult decode_pfm(std::string_view bytes) {
   result.info = info_of(comments);
   check_variance_size(result);
   return result;
+}
+
+/// Of a file that is too long no more is read than is needed.
+inline RenderResult read_pfm(const std::string& name) {
+  const PfmHeader header =
+      read_pfm_header(read_file(name, longest_pfm_header));
+  return decode_pfm(
+      read_file(name, 2 * (longest_pfm_header + header.data_bytes)));
 }
 
 }  // namespace lightwalk

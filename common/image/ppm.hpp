@@ -7,13 +7,18 @@
 // resolution $c$ is the value $s \cdot \mathrm{MAX} / c$. Without the comment
 // MAX is 1. So the file holds light beyond 1, in steps of MAX/65535.
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <string>
+#include <string_view>
 
-#include "common/image/image.hpp"
 #include "common/files/file_error.hpp"
+#include "common/files/read_file.hpp"
+#include "common/image/image.hpp"
 #include "common/image/image_limits.hpp"
+#include "common/image/render_result.hpp"
 #include "common/image/tone_mapping.hpp"
 
 namespace lightwalk {
@@ -76,10 +81,10 @@ class PpmWords {
         std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) {
       throw FileError(text.empty() ? "it is cut off: " + std::string(what) +
-                                          " is missing"
-                                    : std::string(what) + " is '" +
-                                          std::string(text.substr(0, 20)) +
-                                          "', not a whole number");
+                                         " is missing"
+                                   : std::string(what) + " is '" +
+                                         std::string(text.substr(0, 20)) +
+                                         "', not a whole number");
     }
     return value;
   }
@@ -89,47 +94,31 @@ class PpmWords {
     return c == ' ' || (c >= '\t' && c <= '\r');
   }
 
-  /// Takes `#MAX=2.5`, in small letters and with blanks too. What nearly is
-  /// one is refused: without its MAX a picture has other values.
+  /// Takes `#MAX=2.5`, in small letters and with blanks, too.
   void comment() {
-    const char* begin = next_;
+    const char* const begin = next_;
     while (next_ < end_ && *next_ != '\n' && *next_ != '\r') ++next_;
-    const std::string text(begin, next_);
-    std::size_t at = 1;
-    const auto skip_blanks = [&] {
-      while (at < text.size() && (text[at] == ' ' || text[at] == '\t')) ++at;
+    std::string text;
+    for (const char c : std::string_view(begin, next_)) {
+      if (!is_space(c)) {
+        text += c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+      }
+    }
+    constexpr std::string_view key = "#max=";
+    if (!text.starts_with(key)) return;
+    const auto fail = [&](const char* why) {
+      const std::string quoted(begin, std::min(next_, begin + 40));
+      throw FileError("its comment '" + quoted + "' " + why);
     };
-    skip_blanks();
-    std::string key;
-    for (; at < text.size() && is_letter(text[at]); ++at) {
-      key += static_cast<char>(text[at] | 0x20);
-    }
-    if (key.rfind("max", 0) != 0) return;
-    skip_blanks();
-    const char next = at < text.size() ? text[at] : ' ';
-    const bool number = next == '.' || (next >= '0' && next <= '9');
-    if (next != '=' && next != ':' && !(key == "max" && number)) return;
-    const std::string quoted = "its comment '" + text.substr(0, 40) + "'";
-    if (next != '=' || key != "max") {
-      throw FileError(quoted + " is not understood: expected is #MAX=2.5");
-    }
-    if (in_pixels_) throw FileError(quoted + " comes after the first pixel");
-    if (has_max_) throw FileError(quoted + " is its second of this kind");
-    ++at;
-    skip_blanks();
-    const char* first = text.c_str() + at;
-    char* after = nullptr;
-    max_ = std::strtof(first, &after);
-    const bool empty = after == first;
-    while (*after == ' ' || *after == '\t') ++after;
-    if (empty || *after || !(max_ > 0) || !std::isfinite(max_)) {
-      throw FileError(quoted + " does not give a number above 0");
+    if (in_pixels_) fail("comes after the first pixel");
+    if (has_max_) fail("is its second of this kind");
+    const char* const number = text.c_str() + key.size();
+    char* end = nullptr;
+    max_ = std::strtof(number, &end);
+    if (end == number || *end || !(max_ > 0) || !std::isfinite(max_)) {
+      fail("does not give a number above 0");
     }
     has_max_ = true;
-  }
-
-  static bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
   }
 
   const char* next_;
@@ -144,44 +133,29 @@ struct PpmSize {
 };
 
 inline PpmSize read_ppm_size(PpmWords& words) {
-  if (words.word() != "P3")
+  if (words.word() != "P3") {
     throw FileError("it is not a plain PPM (P3) file");
+  }
   const long long width = words.number("its width");
   const long long height = words.number("its height");
-  if (const std::string error = check_written_size(width, height);
-      !error.empty()) {
-    throw FileError(error);
-  }
+  check_size(width, height);
   return {width, height};
 }
 
-/// Its size stands in the first bytes of a file, but for very long comments.
-inline constexpr std::size_t longest_ppm_header = 1 << 16;
-
-/// More bytes than a file of this size has: a number takes 11 at most, and
-/// there is twice as much room for comments.
-inline std::size_t most_ppm_bytes(const std::string& first_bytes) {
-  PpmWords words(first_bytes);
-  const auto [width, height] = read_ppm_size(words);
-  return 100 * static_cast<std::size_t>(width * height) + (1 << 20);
-}
-
-/// Sets `note` for a file that does not say what its numbers stand for.
-inline Image decode_ppm_with_note(const std::string& text,
-                                  std::string& note) {
+/// `note` tells of a file that does not say what its numbers stand for.
+inline RenderResult decode_ppm(const std::string& text) {
   PpmWords words(text);
   const auto [width, height] = read_ppm_size(words);
   const long long resolution = words.number("its color resolution");
   if (resolution < 1 || resolution > 0x7fffffff) {
     throw FileError("its color resolution is " + std::to_string(resolution));
   }
-  // Each number takes a digit and a space, so this much must be there.
-  if (static_cast<std::size_t>(width * height) > text.size() / 6 + 1) {
-    throw FileError("it is cut off: " + std::to_string(text.size()) +
-                     " bytes cannot hold " + std::to_string(width) + " x " +
-                     std::to_string(height) + " pixels");
-  }
-  Image image(static_cast<int>(width), static_cast<int>(height));
+  // Each number takes a digit and a space.
+  check_packed(width, height, 6 * static_cast<double>(width * height) - 6,
+               text.size(), 1);
+  RenderResult result;
+  Image& image = result.radiance;
+  image = Image(static_cast<int>(width), static_cast<int>(height));
   bool first = true;
   for (Vec3& pixel : image.pixels) {
     for (int c = 0; c < 3; ++c) {
@@ -190,7 +164,7 @@ inline Image decode_ppm_with_note(const std::string& text,
       first = false;
       if (value < 0 || value > resolution) {
         throw FileError("a pixel is " + std::to_string(value) +
-                         ", outside 0 to " + std::to_string(resolution));
+                        ", outside 0 to " + std::to_string(resolution));
       }
       pixel[c] = static_cast<float>(static_cast<double>(value) *
                                     static_cast<double>(words.max()) /
@@ -199,14 +173,21 @@ inline Image decode_ppm_with_note(const std::string& text,
   }
   words.word();  // a comment at the end is read too
   if (!words.has_max()) {
-    note = "has no comment #MAX=, so its largest number is taken to be 1";
+    result.note =
+        "has no comment #MAX=, so its largest number is taken to be 1";
   }
-  return image;
+  return result;
 }
 
-inline Image decode_ppm(const std::string& text) {
-  std::string note;
-  return decode_ppm_with_note(text, note);
+/// Of a file that is too long no more is read than is needed: its size stands
+/// in front, and a number takes 11 bytes at most. There is twice as much room
+/// for comments.
+inline RenderResult read_ppm(const std::string& name) {
+  const std::string start = read_file(name, 1 << 16);
+  PpmWords words(start);
+  const auto [width, height] = read_ppm_size(words);
+  return decode_ppm(read_file(
+      name, 100 * static_cast<std::size_t>(width * height) + (1 << 20)));
 }
 
 }  // namespace lightwalk

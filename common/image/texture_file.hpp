@@ -9,9 +9,9 @@
 
 namespace lightwalk {
 
-/// Reads a picture of 8 bits a channel, sRGB: PNG or JPEG. `path` is relative
-/// to `folder`, and must not lead out of it: a scene is handed on together
-/// with its folder, and should work there. Throws a FileError.
+/// Reads a picture of 8 bits a channel, sRGB. `path` is relative to `folder`,
+/// and must not lead out of it: a scene is handed on together with its folder,
+/// and should work there. Throws a FileError.
 inline Texture load_texture(const std::string& folder,
                             const std::string& path) {
   namespace fs = std::filesystem;
@@ -28,18 +28,9 @@ inline Texture load_texture(const std::string& folder,
       *inside.begin() == "..") {
     throw FileError("it must lie in the scene's folder, or below it");
   }
-  const fs::file_status status = fs::status(file, error);
-  if (!fs::exists(status)) throw FileError("there is no such file");
-  if (!fs::is_regular_file(status)) throw FileError("it is not a file");
-  const std::string format = ending(path);
-  if (format != ".png" && format != ".jpg" && format != ".jpeg") {
-    throw FileError("its name ends in none of .png, .jpg, .jpeg");
-  }
-  Texture texture;
-  const std::string why =
-      need_image_codecs(format).read_texture(name_of(file), texture);
-  if (!why.empty()) throw FileError(why);
-  return texture;
+  check_is_file(name_of(file));
+  return format_of(path, &ImageFormat::read_texture)
+      .read_texture(name_of(file));
 }
 
 }  // namespace lightwalk

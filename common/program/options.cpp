@@ -230,7 +230,7 @@ std::optional<int> parse_options(int argc, char** argv,
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->allow_extra_args(false)
       ->type_name("IMAGE")
-      ->check(named_with("images", image_endings));
+      ->check(named_with("images", endings_with(&ImageFormat::encode)));
   app.add_option("--report", options.report,
                  "What was rendered and how fast, for programs (.json)")
       ->type_name("FILE")

@@ -187,8 +187,8 @@ class MaterialReader {
         texels_ += texture.texels.size();
         if (texels_ > most_texels) {
           throw FileError("the textures of a scene may have " +
-                           std::to_string(most_texels) +
-                           " pixels in all, and these are more");
+                          std::to_string(most_texels) +
+                          " pixels in all, and these are more");
         }
       } catch (const std::exception& error) {
         fail_at(options.at("image"), "texture " + in_quotes(path) +

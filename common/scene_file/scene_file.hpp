@@ -11,8 +11,8 @@
 #include <system_error>
 #include <vector>
 
-#include "common/files/read_file.hpp"
 #include "common/files/file_path.hpp"
+#include "common/files/read_file.hpp"
 #include "common/render/render_settings.hpp"
 #include "common/scene/scene.hpp"
 #include "common/scene_file/duplicate_shapes.hpp"

@@ -15,6 +15,11 @@ from tests.runner import watch
 HANG = 240
 
 
+# EXR files need OpenImageIO, by a module beside the programs.
+HAS_EXR = any(BUILD.glob("*lightwalk_openimageio.*"))
+ENDINGS = ["pfm", "ppm", "png", *(["exr"] if HAS_EXR else [])]
+
+
 def communicate(process, text=None):
     return watch.communicate(process, text, HANG)
 

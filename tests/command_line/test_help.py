@@ -100,13 +100,13 @@ class Help(InFolder):
 
     def test_the_example_of_stage_diff_works(self):
         (self.folder / "scene.toml").write_text(GOOD)
-        for name, seed in [("a.exr", "1"), ("b.exr", "2")]:
+        for name, seed in [("a.pfm", "1"), ("b.pfm", "2")]:
             run("stage1", "scene.toml", "-o", name, "--spp", "9", "--seed", seed, folder=self.folder)
         command, *arguments = self.example("stage-diff")
         self.assertEqual(command, "build/stage-diff")
         result = run("stage-diff", *arguments, folder=self.folder)
         self.assertEqual(result.stderr, "")
-        self.assertEqual(self.files(), ["a.exr", "b.exr", "diff.png", "scene.toml"])
+        self.assertEqual(self.files(), ["a.pfm", "b.pfm", "diff.png", "scene.toml"])
 
     def example(self, program):
         first, usage = self.help_of(program).splitlines()[:2]

@@ -241,7 +241,9 @@ class SeveralFiles(Outputs):
             *["-o", "out.pfm", "-o", "b.png", "--report", "c.json", "--size", "64x64"],
             preexec_fn=let_no_file_grow,
         )
-        self.assertEqual(result.stderr, "stage1: out.pfm cannot be written: it cannot be written whole; is there room?\n")
+        self.assertEqual(
+            result.stderr, "stage1: out.pfm cannot be written: it cannot be written whole; is there room?\n"
+        )
         self.assertEqual(result.returncode, 1)
         self.assertEqual(self.out.read_text(), OLD)
         self.assertEqual((self.folder / "b.png").read_bytes()[-8:-4], b"IEND")
@@ -308,17 +310,17 @@ class Interrupts(Outputs):
     def test_in_the_first_pass_a_new_picture_is_written_as_far_as_it_goes(self):
         """As the old one cannot be lost; an empty file is none."""
         self.out.write_text("")
-        (self.folder / "old.exr").write_text(OLD)
-        result = self.interrupted(self.FIRST_PASS, signal.SIGINT, outputs=["old.exr", "out.pfm", "new.pfm"])
+        (self.folder / "old.ppm").write_text(OLD)
+        result = self.interrupted(self.FIRST_PASS, signal.SIGINT, outputs=["old.ppm", "out.pfm", "new.pfm"])
         self.assertEqual(
             result.stderr,
-            "pausing: old.exr is kept as it was: the first pass over the picture was not finished\n"
+            "pausing: old.ppm is kept as it was: the first pass over the picture was not finished\n"
             "pausing: parts of out.pfm are black: the first pass over the picture was not finished\n"
             "pausing: parts of new.pfm are black: the first pass over the picture was not finished\n"
             "pausing: interrupted after 0 of 1000 samples per pixel\n",
         )
         self.assertEqual(result.returncode, 130)
-        self.assertEqual((self.folder / "old.exr").read_text(), OLD)
+        self.assertEqual((self.folder / "old.ppm").read_text(), OLD)
         for name in ["out.pfm", "new.pfm"]:
             *_, pixels = read_pfm(self.folder / name)
             black = pixels.count((0, 0, 0))

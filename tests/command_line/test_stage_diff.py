@@ -52,24 +52,24 @@ class StageDiff(programs.InFolder):
             self.assertIn(words, result.stderr)
 
     def test_another_seed_is_the_same(self):
-        reference = self.render("b.exr")
+        reference = self.render("b.pfm")
         for seed in (2, 3, 4):
-            a = self.render("a.exr", "--seed", str(seed))
+            a = self.render("a.pfm", "--seed", str(seed))
             result = self.diff(a, reference)
             self.assertEqual(result.returncode, 0, result.stdout)
             self.assertIn("the same within the band", result.stdout)
             self.assertEqual(result.stderr, "")
 
     def test_a_lamp_that_is_3_percent_darker(self):
-        a = self.render("a.exr", "--seed", "2", scene=self.changed("ke = 1", "ke = 0.97"))
-        result = self.check_different(a, self.render("b.exr"), "% too dark over the")
+        a = self.render("a.pfm", "--seed", "2", scene=self.changed("ke = 1", "ke = 0.97"))
+        result = self.check_different(a, self.render("b.pfm"), "% too dark over the")
         self.assertIn("different scene files", result.stderr)
 
     def test_a_ball_moved_by_a_pixel(self):
         # A pixel at the ball's distance is 0.07 wide.
         moved = self.changed("center = [0.5, -0.7", "center = [0.43, -0.7")
-        a = self.render("a.exr", "--seed", "2", scene=moved)
-        self.check_different(a, self.render("b.exr"), "lower right")
+        a = self.render("a.pfm", "--seed", "2", scene=moved)
+        self.check_different(a, self.render("b.pfm"), "lower right")
 
     def test_a_missing_caustic(self):
         # With a bound of 2 bounces the way through the glass is too long.
@@ -77,68 +77,65 @@ class StageDiff(programs.InFolder):
         stage = "stage3" if "stage3" in programs.built_stages() else None
         if stage is None:
             self.skipTest("stage 3 is not in the tree")
-        a = self.render("a.exr", "--max-bounces", "2", scene=scene, stage=stage)
-        b = self.render("b.exr", "--max-bounces", "5", scene=scene, stage=stage)
+        a = self.render("a.pfm", "--max-bounces", "2", scene=scene, stage=stage)
+        b = self.render("b.pfm", "--max-bounces", "5", scene=scene, stage=stage)
         result = self.check_different(a, b, "lower right")
         self.assertIn("different bounds, 2 and 5", result.stderr)
 
     def test_an_image_without_variance_borrows_the_others(self):
-        exr = self.render("b.exr")
-        pfm = self.render("a.pfm", "--seed", "2")
-        result = self.diff(pfm, exr)
+        """The first picture of a .pfm alone, as other programs write it."""
+        b = self.render("b.pfm")
+        a = self.render("a.pfm", "--seed", "2")
+        a.write_bytes(a.read_bytes()[: len(b"PF\n32 32\n-1.0\n") + 12 * 32 * 32])
+        result = self.diff(a, b)
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertIn("a.pfm has no variance", result.stderr)
-        self.check_cannot(pfm, pfm, "cannot compare: ", "a.pfm: it has no variance")
+        self.check_cannot(a, a, "cannot compare: ", "a.pfm: it has no variance")
+        magic, size, scale, data = a.read_bytes().split(b"\n", 3)
+        a.write_bytes(b"\r\n".join((magic, size, scale, data)))
+        self.assertEqual(self.diff(a, b).stdout, result.stdout)
 
     def test_one_sample_per_pixel_has_no_variance(self):
-        a = self.render("a.exr", "--spp", "1")
-        b = self.render("b.exr", "--spp", "1", "--seed", "2")
+        a = self.render("a.pfm", "--spp", "1")
+        b = self.render("b.pfm", "--spp", "1", "--seed", "2")
         words = "one sample per pixel has no variance"
-        self.check_cannot(a, b, "cannot compare: ", f"a.exr: {words}", f"b.exr: {words}")
-        pfm = self.render("c.pfm", "--spp", "1")
-        self.check_cannot(a, pfm, f"a.exr: {words}", "c.pfm: it has no variance")
+        self.check_cannot(a, b, "cannot compare: ", f"a.pfm: {words}", f"b.pfm: {words}")
+        ppm = self.render("c.ppm", "--spp", "1")
+        self.check_cannot(a, ppm, f"a.pfm: {words}", "c.ppm: it has no variance")
 
     def test_one_sample_beside_many_borrows_their_variance(self):
-        many = self.render("many.exr", "--spp", "1024")
-        for name in ("few.exr", "few.pfm"):
-            few = self.render(name, "--spp", "1", "--seed", "2")
-            for a, b in ((few, many), (many, few)):
-                result = self.diff(a, b)
-                self.assertIn(f"{name} has no variance: ", result.stderr)
-                if name == "few.exr":
-                    self.assertEqual(result.returncode, 0, result.stdout)
+        many = self.render("many.pfm", "--spp", "1024")
+        few = self.render("few.pfm", "--spp", "1", "--seed", "2")
+        for a, b in ((few, many), (many, few)):
+            result = self.diff(a, b)
+            self.assertIn("few.pfm has no variance: ", result.stderr)
+            self.assertEqual(result.returncode, 0, result.stdout)
+
+    def test_an_exr_says_the_same_as_a_pfm(self):
+        if not programs.HAS_EXR:
+            self.skipTest("OpenImageIO is not in this build")
+        said = []
+        for ending in ("pfm", "exr"):
+            a, b = self.render(f"a.{ending}", "--seed", "2"), self.render(f"b.{ending}")
+            said.append(self.diff(a, b).stdout)
+        self.assertEqual(*said)
 
     def test_the_courses_ppm(self):
-        exr = self.render("b.exr")
+        b = self.render("b.pfm")
         ppm = self.render("a.ppm", "--seed", "2")
-        result = self.diff(ppm, exr)
+        result = self.diff(ppm, b)
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertIn("a.ppm has no variance", result.stderr)
         ppm.write_text(ppm.read_text().replace("#MAX=", "# max = "))
-        self.assertEqual(self.diff(ppm, exr).returncode, 0)
+        self.assertEqual(self.diff(ppm, b).returncode, 0)
         lines = ppm.read_text().split("\n")
         ppm.write_text("\n".join(lines[:1] + lines[2:]))
-        self.assertIn("a.ppm: has no comment #MAX=", self.diff(ppm, exr).stderr)
-
-    def test_a_pfm_with_cr_lf(self):
-        exr = self.render("b.exr")
-        pfm = self.render("a.pfm", "--seed", "2")
-        expected = self.diff(pfm, exr).stdout
-        magic, size, scale, data = pfm.read_bytes().split(b"\n", 3)
-        pfm.write_bytes(b"\r\n".join((magic, size, scale, data)))
-        self.assertEqual(self.diff(pfm, exr).stdout, expected)
-
-    def test_which_layer_is_taken_is_said(self):
-        layers = programs.ROOT / "tests" / "core" / "pictures" / "layers.exr"
-        result = self.diff(layers, layers)
-        self.assertEqual(result.returncode, 2)
-        note = "takes ViewLayer.Combined of ViewLayer.Albedo, ViewLayer.Combined"
-        self.assertIn(f"layers.exr: {note}\n", result.stderr)
+        self.assertIn("a.ppm: has no comment #MAX=", self.diff(ppm, b).stderr)
 
     def test_no_figure_is_without_a_value(self):
         """Black has no ratio, and without noise no difference has a z."""
-        black = self.render("a.exr", "--max-bounces", "0", scene=self.changed("ke = 1", "kd = 1"))
-        lamp = self.render("b.exr", "--max-bounces", "0")
+        black = self.render("a.pfm", "--max-bounces", "0", scene=self.changed("ke = 1", "kd = 1"))
+        lamp = self.render("b.pfm", "--max-bounces", "0")
         for a, b in ((black, black), (black, lamp), (lamp, black), (lamp, lamp)):
             for options in ((), ("--json",)):
                 result = self.diff(a, b, *options)
@@ -146,19 +143,19 @@ class StageDiff(programs.InFolder):
                 self.assertNotRegex(result.stdout + result.stderr, r"(?i)\b(nan|inf)")
 
     def test_json(self):
-        a, b = self.render("a.exr", "--seed", "2"), self.render("b.exr")
+        a, b = self.render("a.pfm", "--seed", "2"), self.render("b.pfm")
         values = json.loads(self.diff(a, b, "--json").stdout)
         self.assertIs(values["same"], True)
         self.assertAlmostEqual(values["mean_ratio"][0], 1, delta=0.02)
         self.assertLess(values["worst"]["z"], values["z_critical"])
 
     def test_json_of_black_images_is_json(self):
-        a = self.render("a.exr", "--max-bounces", "0", scene=self.changed("ke = 1", "kd = 1"))
+        a = self.render("a.pfm", "--max-bounces", "0", scene=self.changed("ke = 1", "kd = 1"))
         values = json.loads(self.diff(a, a, "--json").stdout)
         self.assertIs(values["same"], True)
 
     def test_one_picture_of_all(self):
-        a, b = self.render("a.exr", "--seed", "2"), self.render("b.exr")
+        a, b = self.render("a.pfm", "--seed", "2"), self.render("b.pfm")
         picture = self.folder / "diff.png"
         self.assertEqual(self.diff(a, b, "-o", picture).returncode, 0)
         width, height = struct.unpack(">II", picture.read_bytes()[16:24])
@@ -167,25 +164,24 @@ class StageDiff(programs.InFolder):
         self.assertEqual(result.returncode, 2)
 
     def test_other_sizes(self):
-        a = self.render("a.exr", "--size", "16x32")
-        self.check_cannot(a, self.render("b.exr"), "16 x 32", "32 x 32")
+        a = self.render("a.pfm", "--size", "16x32")
+        self.check_cannot(a, self.render("b.pfm"), "16 x 32", "32 x 32")
 
     def test_not_finite(self):
         a = self.render("a.pfm")
         data = bytearray(a.read_bytes())
         data[-4:] = struct.pack("<f", float("nan"))
         a.write_bytes(data)
-        self.check_cannot(a, self.render("b.exr"), "column 31, row 0 is not finite")
+        self.check_cannot(a, self.render("b.pfm"), "column 31, row 0 is not finite")
 
     def test_files_that_are_no_images(self):
-        good = self.render("b.exr")
+        good = self.render("b.pfm")
         whole = good.read_bytes()
         for name, data in {
-            "empty.exr": b"",
-            "cut.exr": whole[: len(whole) // 2],
-            "text.exr": b"no image at all\n" * 99,
             "empty.pfm": b"",
             "cut.pfm": b"PF\n32 32\n-1.0\n" + b"\0" * 99,
+            "cut_variance.pfm": whole[:-1],
+            "text.pfm": b"no image at all\n" * 99,
             "huge.pfm": b"PF\n60000 60000\n-1.0\n" + b"\0" * 99,
             "negative.pfm": b"PF\n-3 2\n-1.0\n" + b"\0" * 99,
         }.items():
@@ -194,30 +190,21 @@ class StageDiff(programs.InFolder):
                 path.write_bytes(data)
                 self.check_cannot(path, good, f"{name}: ")
 
-    def test_a_header_that_claims_huge_dimensions(self):
-        good = self.render("b.exr")
-        data = good.read_bytes()
-        window = struct.pack("<iiii", 0, 0, 31, 31)
-        self.assertIn(window, data)
-        path = self.folder / "huge.exr"
-        path.write_bytes(data.replace(window, struct.pack("<iiii", 0, 0, 99_999, 99_999)))
-        self.check_cannot(path, good, "huge.exr: ")
-
     def test_other_files(self):
-        good = self.render("b.exr")
-        self.check_cannot(self.folder / "missing.exr", good, "no such file")
-        self.check_cannot(self.folder, good, "only .exr, .pfm and .ppm")
+        good = self.render("b.pfm")
+        self.check_cannot(self.folder / "missing.pfm", good, "no such file")
+        self.check_cannot(self.folder, good, "it is not a file")
         png = self.render("a.png")
-        self.check_cannot(png, good, "only .exr, .pfm and .ppm hold radiance")
+        self.check_cannot(png, good, "its name ends in none of .exr, .pfm, .ppm, .hdr, .tif, .tiff")
 
     def test_wrong_usage(self):
         for words, said in [
-            ("", "two images are required, as in 'build/stage-diff a.exr b.exr -o diff.png'"),
-            ("a.exr", "two images are required, as in 'build/stage-diff a.exr b.exr -o diff.png'"),
-            ("a.exr b.exr c.exr", "argument 'c.exr' was not expected after 'b.exr'"),
-            ("--jsno a.exr b.exr", "unknown option '--jsno', did you mean '--json'?"),
-            ("a.exr b.exr -o x.jpg", "--output: 'x.jpg' does not end in .png"),
-            ("a.exr b.exr -o -", "--output: '-' is no name: images are written by name, like box.png"),
+            ("", "two images are required, as in 'build/stage-diff a.pfm b.pfm -o diff.png'"),
+            ("a.pfm", "two images are required, as in 'build/stage-diff a.pfm b.pfm -o diff.png'"),
+            ("a.pfm b.pfm c.pfm", "argument 'c.pfm' was not expected after 'b.pfm'"),
+            ("--jsno a.pfm b.pfm", "unknown option '--jsno', did you mean '--json'?"),
+            ("a.pfm b.pfm -o x.jpg", "--output: 'x.jpg' does not end in .png"),
+            ("a.pfm b.pfm -o -", "--output: '-' is no name: images are written by name, like box.png"),
         ]:
             with self.subTest(words):
                 result = programs.run("stage-diff", *words.split())
@@ -229,18 +216,18 @@ class StageDiff(programs.InFolder):
             self.assertRegex(result.stdout, r"^stage-diff \(Lightwalk\) \d+\.\d+\.\d+\n$")
 
     def test_the_same_bits_are_called_so(self):
-        a, b = self.render("a.exr"), self.render("b.exr")
+        a, b = self.render("a.pfm"), self.render("b.pfm")
         self.assertIn("the same bits, is this one render twice?", self.diff(a, b).stdout)
         result = self.diff(a, b, "--other-seeds")
         self.assertEqual(result.returncode, 2, result.stdout)
         self.assertIn("does the seed change nothing?", result.stderr)
-        b = self.render("b.exr", "--seed", "2")
+        b = self.render("b.pfm", "--seed", "2")
         result = self.diff(a, b, "--other-seeds")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertNotIn("same bits", result.stdout)
 
     def test_noise_is_told(self):
-        a, b = self.render("a.exr", "--sampling", "uniform", "--seed", "2"), self.render("b.exr")
+        a, b = self.render("a.pfm", "--sampling", "uniform", "--seed", "2"), self.render("b.pfm")
         self.assertRegex(self.diff(a, b).stdout, r"band; [12]\.\d\d times the variance .*: noisier")
         self.assertRegex(self.diff(b, a).stdout, r"band; 0\.\d+ times the variance .*: quieter")
 
@@ -319,18 +306,18 @@ class Diff(programs.InFolder):
 
     def test_names_are_no_programs(self):
         """By make too, which expands what its variables say."""
-        image = self.folder / "x.exr"
+        image = self.folder / "x.pfm"
         programs.run("stage1", BOX, "-o", image, "--size", "8x8", "--spp", "4", "--quiet")
         for name in (
-            "a`touch ran`.exr",
-            "$(touch ran).exr",
-            "$(shell touch ran).exr",
-            "$(info ran)$x.exr",
-            "a'; touch ran; '.exr",
-            'a"; touch ran; ".exr',
-            "a b *.exr",
-            "-o.exr",
-            "a\\tb.exr",
+            "a`touch ran`.pfm",
+            "$(touch ran).pfm",
+            "$(shell touch ran).pfm",
+            "$(info ran)$x.pfm",
+            "a'; touch ran; '.pfm",
+            'a"; touch ran; ".pfm',
+            "a b *.pfm",
+            "-o.pfm",
+            "a\\tb.pfm",
         ):
             with self.subTest(name):
                 shutil.copy(image, self.folder / name)

@@ -3,21 +3,22 @@
 #include <optional>
 #include <string>
 
-#include "common/image/image.hpp"
 #include "common/files/file_error.hpp"
+#include "common/image/render_result.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 namespace lightwalk::fuzz {
 
-/// The whole image that some bytes are, or nothing where they are refused
-/// with a reason.
-inline std::optional<Image> decoded(Image (*decode)(const std::string&),
-                                    const std::uint8_t* data,
+/// The pictures that some bytes are, or nothing where they are refused with a
+/// reason.
+template <class Decode>
+std::optional<RenderResult> decoded(Decode decode, const std::uint8_t* data,
                                     std::size_t size) {
   try {
-    Image image = decode(text_of(data, size));
+    RenderResult result = decode(text_of(data, size));
+    const Image& image = result.radiance;
     check_pixels(image.width, image.height, image.pixels.size());
-    return image;
+    return result;
   } catch (const FileError& error) {
     expect(*error.what() != '\0', "a refusal says why");
     return std::nullopt;

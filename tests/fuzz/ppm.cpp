@@ -13,9 +13,9 @@ using namespace lightwalk::fuzz;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const LimitedMemory limited;
-  const std::optional<Image> read = decoded(decode_ppm, data, size);
+  const std::optional<RenderResult> read = decoded(decode_ppm, data, size);
   if (!read) return 0;
-  const Image& image = *read;
+  const Image& image = read->radiance;
   const std::size_t count = image.pixels.size();
   expect(6 * count < size + 6, "every pixel was in the file");
   for (const Vec3& pixel : image.pixels) {
@@ -25,7 +25,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     }
   }
 
-  const Image again = decode_ppm(encode_ppm(image));
+  const Image again = decode_ppm(encode_ppm(image)).radiance;
   expect(again.width == image.width && again.height == image.height,
          "the size is kept");
   const double largest = static_cast<double>(max_value(image));

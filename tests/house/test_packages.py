@@ -372,11 +372,7 @@ class Packages(unittest.TestCase):
         self.assert_complaint("nothing in the tree uses node:left-pad", "tools/package.json", with_left_pad)
 
     def test_sentences_and_other_lists(self):
-        self.assert_complaint(
-            "vcpkg: zlib is in",
-            "vcpkg.json",
-            lambda text: text.replace('        "zlib"\n', "").replace('"stb",', '"stb"'),
-        )
+        self.assert_complaint("vcpkg: stb is in", "vcpkg.json", lambda text: text.replace('    "stb",\n', ""))
         self.assert_complaint(
             "README.md says 'windoze'",
             "README.md",
@@ -385,7 +381,7 @@ class Packages(unittest.TestCase):
         self.assert_complaint(
             "README.md says 'libtiny-dev'",
             "README.md",
-            lambda text: text.replace("libtinyexr-dev", "libtiny-dev"),
+            lambda text: text.replace("libopenimageio-dev", "libtiny-dev"),
         )
         self.assert_complaint(
             "the purpose peers is in",

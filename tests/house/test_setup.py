@@ -20,15 +20,15 @@ if [ -e "{folder}/{name}.fails" ]; then exit 100; fi
 {then}
 """
 BUILD = """cmake doctest-dev g++ git libbenchmark-dev libcli11-dev libglm-dev libhwy-dev libopenimageio-dev
-  libstb-dev libtinyexr-dev libtomlplusplus-dev make ninja-build nlohmann-json3-dev openimageio-tools procps
-  python3 python3-jsonschema python3-venv zlib1g-dev""".split()
+  libstb-dev libtomlplusplus-dev make ninja-build nlohmann-json3-dev openimageio-tools procps
+  python3 python3-jsonschema python3-venv""".split()
 OTHERS = {
     "site": "clang libc++-dev-wasm32 libclang-rt-dev-wasm32 lld nodejs npm wasi-libc",
     "slides": "chromium fonts-dejavu-core",
     "fuzz": "clang libclang-rt-dev",
     "bench": "libbenchmark-tools",
     "peers": "libllvm16",
-    "windows": "binutils-mingw-w64-x86-64 g++-mingw-w64-x86-64-posix libz-mingw-w64-dev wine64",
+    "windows": "binutils-mingw-w64-x86-64 g++-mingw-w64-x86-64 wine64",
     "compilers": "clang",
     "fresh": "debootstrap",
 }

@@ -28,10 +28,8 @@ def pixels(path):
     """The numbers of a PFM file of this machine's byte order."""
     kind, size, scale, rest = path.read_bytes().split(b"\n", 3)
     assert (kind, float(scale)) == (b"PF", -1.0), (kind, scale)
-    numbers = array.array("f", rest)
     width, height = map(int, size.split())
-    assert len(numbers) == 3 * width * height
-    return numbers
+    return array.array("f", rest[: 12 * width * height])  # behind the mean is the variance
 
 
 class Windows(unittest.TestCase):
@@ -65,7 +63,7 @@ class Windows(unittest.TestCase):
             with self.subTest(stage=stage):
                 scene = ROOT / f"scenes/{SCENES.get(stage, 'cornell_box_point')}.toml"
                 options = [scene, "--size", "64x64", "--spp", "4"]
-                names = [f"{stage}.{ending}" for ending in ("pfm", "ppm", "png", "exr")]
+                names = [f"{stage}.{ending}" for ending in ("pfm", "ppm", "png")]
                 outputs = [word for name in names for word in ("-o", name)]
                 done = self.paint(stage, *options, *outputs)
                 self.assertNotIn("\r", done.stdout)
@@ -75,10 +73,6 @@ class Windows(unittest.TestCase):
                 program = BUILD / f"stage{stage}"
                 subprocess.run([program, *options, "-q", "-o", native], check=True)
                 self.compare(stage, pixels(native), pixels(self.folder / f"{stage}.pfm"))
-                # The EXR holds the same floats, as the native program reads it.
-                same = [BUILD / "stage-diff", f"{stage}.exr", native, "--json"]
-                read = subprocess.run(same, cwd=self.folder, capture_output=True, text=True)
-                self.assertIn(read.returncode, (0, 1), read.stderr)
 
     def compare(self, stage, expected, seen):
         """The libraries of mathematics differ in the last bit of some functions, and a path

@@ -9,17 +9,15 @@ from pathlib import Path
 from compare.stages import Failure
 
 PREFIXES = [Path(folder) for folder in ("/usr/local", "/opt/homebrew", "/usr")]
-# Of each library: its folder or file in include/, Debian's package, and its home.
+# Of each library: its folder in include/, Debian's package, and its home.
 LIBRARIES = {
     "glm": ("glm", "libglm-dev", "https://github.com/g-truc/glm"),
     "CLI11": ("CLI", "libcli11-dev", "https://github.com/CLIUtils/CLI11"),
     "toml++": ("toml++", "libtomlplusplus-dev", "https://github.com/marzer/tomlplusplus"),
     "nlohmann/json": ("nlohmann", "nlohmann-json3-dev", "https://github.com/nlohmann/json"),
     "doctest": ("doctest", "doctest-dev", "https://github.com/doctest/doctest"),
-    "tinyexr": ("tinyexr.h", "libtinyexr-dev", "https://github.com/syoyo/tinyexr"),
     "stb": ("stb", "libstb-dev", "https://github.com/nothings/stb"),
 }
-OPTIONAL = {"tinyexr", "stb"}
 UNNEEDED = ("*.cmake", "*.inl.in", "*.a", "CMakeLists.txt")
 
 
@@ -41,15 +39,9 @@ def copy_libraries(target):
     installed or has no license to go with it."""
     for library, (name, package, home) in LIBRARIES.items():
         source, text = found(name), license_of(package)
-        if not source and library in OPTIONAL:
-            continue
         if not source:
             raise Failure(f"{library} is not installed: `make setup` installs it")
-        if source.is_dir():
-            shutil.copytree(source, target / "include" / name, ignore=shutil.ignore_patterns(*UNNEEDED))
-        else:
-            (target / "include").mkdir(parents=True, exist_ok=True)
-            shutil.copy(source, target / "include" / name)
+        shutil.copytree(source, target / "include" / name, ignore=shutil.ignore_patterns(*UNNEEDED))
         licenses = target / "licenses"
         licenses.mkdir(parents=True, exist_ok=True)
-        (licenses / f"{name.removesuffix('.h')}.txt").write_text(text or f"See {home}\n")
+        (licenses / f"{name}.txt").write_text(text or f"See {home}\n")
