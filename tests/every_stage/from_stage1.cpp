@@ -93,7 +93,7 @@ TEST_CASE("the same bits for any number of threads, other noise for a seed") {
   const std::string scenes[] = {
       "cornell_box_ceiling_diffuse", "cornell_box_lamp_diffuse",
       "cornell_box_ceiling", "cornell_box_point", "checkered_floor"};
-  const Scene scene = scene_file(scenes[std::min(this_stage, 5) - 1], 30, 21);
+  Scene scene = scene_file(scenes[std::min(this_stage, 5) - 1], 30, 21);
   RenderSettings settings;
   settings.samples_per_pixel = 5;
   if constexpr (this_stage < 4) settings.max_bounces = 8;
