@@ -19,9 +19,10 @@ std::string cannot_write(const std::string& path, const char* why) {
   return escaped(path) + " cannot be written: " + one_line(why);
 }
 
-void check_file(const std::string& path) {
+void check_file(const std::string& path,
+                void (*check)(const std::string& path)) {
   try {
-    check_writable(path);
+    check(path);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
@@ -38,8 +39,10 @@ bool holds_something(const std::string& path) {
 }  // namespace
 
 void check_files(const Options& options) {
-  for (const std::string& path : options.outputs) check_file(path);
-  if (options.report) check_file(*options.report);
+  for (const std::string& path : options.outputs) {
+    check_file(path, check_writable);
+  }
+  if (options.report) check_file(*options.report, check_file_place);
 }
 
 bool write_files(const std::string& program, const Options& options,

@@ -28,7 +28,7 @@ OTHERS = {
     "fuzz": "clang libclang-rt-dev",
     "bench": "libbenchmark-tools",
     "peers": "libllvm16",
-    "windows": "binutils-mingw-w64-x86-64 g++-mingw-w64-x86-64 wine64",
+    "windows": "binutils-mingw-w64-x86-64 g++-mingw-w64-x86-64-posix wine64",
     "compilers": "clang",
     "fresh": "debootstrap",
 }
