@@ -4,8 +4,8 @@
 //     c++ -std=c++20 -O2 -pthread -I . examples/paint.cpp -o paint && ./paint
 
 #include "common/render/paint.hpp"
-#include "common/image/pfm.hpp"
 #include "common/files/write_file.hpp"
+#include "common/image/pfm.hpp"
 #include "stages/4_russian_roulette/path_tracer.hpp"
 
 using namespace lightwalk;

@@ -6,6 +6,7 @@
 // and lights, and materials to what varies in them, which therefore stay
 // where they are: a scene is moved, never copied.
 
+#include <cassert>
 #include <deque>
 #include <optional>
 #include <variant>
@@ -73,8 +74,8 @@ struct Scene {
       std::variant<PointLight, Plane, Sphere, Rectangle, Triangle>;
   void add(const Addition& one) { added_.push_back(one); }
 
-  /// Makes `geometry` and `lights` of what was added since the last time, seen
-  /// from where the camera is now. paint() calls it.
+  /// Makes `geometry` and `lights` of what was added since the last call, as
+  /// seen from where the camera is now. paint() calls it.
   void prepare() {
     for (const Addition& one : added_) {
       std::visit([this](const auto& thing) { place(thing); }, one);
@@ -90,6 +91,7 @@ struct Scene {
   /// one sample of a tree of paths can take longer than anybody waits, so
   /// every 256 rays it asks whether the render is over. Let it pass.
   std::optional<Hit> nearest_hit(const Ray& ray) const {
+    assert(added_.empty() && "a scene is prepared before rays meet it");
     count_ray();
     note_ray(ray);
     return geometry.nearest_hit(ray);

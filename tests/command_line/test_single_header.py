@@ -136,7 +136,7 @@ class NewestStage(Compiled):
         program = program_of(self.text)
         # Small, since it is compiled without optimization.
         small, count = re.subn(
-            r"( *)box.geometry.prepare\(\);",
+            r"( *)const auto picture = paint",
             r"\1box.camera.width = box.camera.height = 48;\n\g<0>",
             program.replace("samples_per_pixel = 16", "samples_per_pixel = 4"),
         )

@@ -127,6 +127,7 @@ TEST_CASE("a point light in a ceiling is not shaded by it") {
       scene_text(materials + plane("[0.48, 0.6, 0.64]", "1000", "floor") +
                  plane("[-0.48, -0.6, -0.64]", "-999", "black"));
   scene.add(PointLight{-999.0f * normal, Vec3(1)});
+  scene.prepare();
   const PathTracer tracer(scene, bounces(1));
   Random random(1, 0, 0);
   for (int i = 0; i < 1000; ++i) {

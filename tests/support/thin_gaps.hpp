@@ -103,6 +103,7 @@ void check_thin_gaps() {
         const auto check = [&](const char* what, auto add) {
           ThinGaps things(size, center);
           add(things);
+          things.scene.prepare();
           const std::string wrong =
               rays_that_see_something<PathTracer>(things, 1000);
           if (wrong.empty()) return;
