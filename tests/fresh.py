@@ -22,7 +22,7 @@ import sys
 import time
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT
+from tools.tree import BUILD, ROOT
 
 RELEASES = ("bookworm", "trixie")  # Debian 12 and 13
 HOME = "/root/lightwalk"
@@ -110,7 +110,9 @@ class System:
 def mirror():
     """This machine's, where it is a Debian."""
     for path in [Path("/etc/apt/sources.list"), *Path("/etc/apt/sources.list.d").glob("debian*")]:
-        if path.exists() and (found := re.search(r"^(?:URIs: |deb )(\S+/debian/?)(?:\s|$)", path.read_text(), re.M)):
+        if path.exists() and (
+            found := re.search(r"^(?:URIs: |deb )(\S+/debian/?)(?:\s|$)", path.read_text(), re.M)
+        ):
             return [found[1]]
     return []
 
@@ -125,7 +127,10 @@ def type_all(system, only):
         start = time.monotonic()
         code, seconds = system.run(command, place)
         now = system.packages()
-        print(f"  exit code {code}, {seconds:.0f} s of the processor, {time.monotonic() - start:.0f} s", flush=True)
+        print(
+            f"  exit code {code}, {seconds:.0f} s of the processor, {time.monotonic() - start:.0f} s",
+            flush=True,
+        )
         yield Done(command, code, expected, seconds, now - seen)
         seen = now
 
@@ -147,7 +152,9 @@ def last_lines(system, command):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("releases", nargs="*", default=RELEASES, metavar="RELEASE")
-    parser.add_argument("--only", action="append", help="one of the commands, as it is typed", metavar="COMMAND")
+    parser.add_argument(
+        "--only", action="append", help="one of the commands, as it is typed", metavar="COMMAND"
+    )
     options = parser.parse_args()
     if os.geteuid() != 0 or not shutil.which("debootstrap"):
         print("test-fresh: not run: it needs root and debootstrap (tools/setup.sh fresh)", file=sys.stderr)

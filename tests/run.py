@@ -1,13 +1,13 @@
 """Runs every test of what renders, as CTest knows them: `make test`.
 
-    python3 -m tests.run [OPTION OF CTEST...]
+python3 -m tests.run [OPTION OF CTEST...]
 """
 
 import subprocess
 import sys
 
-from compare.stages import BUILD
 from tests.tally import Tally
+from tools.tree import BUILD
 
 
 def main():
@@ -17,7 +17,7 @@ def main():
         ["ctest", "--test-dir", BUILD, "--no-tests=error", "--output-on-failure", "--output-junit", junit]
         # All that a test says is counted, also where it passes.
         + ["--test-output-size-passed", "1000000", "--test-output-size-failed", "1000000"]
-        + sys.argv[1:],
+        + sys.argv[1:]
     )
     if not junit.exists():
         return done.returncode or 1

@@ -13,7 +13,7 @@ import os
 import re
 from xml.etree import ElementTree
 
-from compare.stages import left_out
+from tools.tree import left_out
 
 
 class Tally:

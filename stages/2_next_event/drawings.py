@@ -7,7 +7,7 @@ import struct
 import subprocess
 import zlib
 
-from compare.stages import BUILD, Failure, read_pfm
+from tools.tree import BUILD, Failure, read_pfm
 from tools.weave import drawing as d
 from tools.weave.renders import Render
 

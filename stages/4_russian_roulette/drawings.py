@@ -3,7 +3,7 @@
 import math
 import tomllib
 
-from compare.stages import ROOT
+from tools.tree import ROOT
 from tools.weave import drawing as d
 from tools.weave.renders import Render
 

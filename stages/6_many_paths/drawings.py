@@ -4,7 +4,7 @@ import functools
 import re
 import subprocess
 
-from compare.stages import BUILD, ROOT
+from tools.tree import BUILD, ROOT
 from tools.weave import drawing as d
 
 LANES = 16

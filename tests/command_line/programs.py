@@ -7,8 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
-from compare.stages import BUILD, ROOT, SCENES, built_stages, read_pfm  # noqa: F401
 from tests.runner import watch
+from tools.tree import BUILD, ROOT, SCENES, built_stages, read_pfm  # noqa: F401
 
 # Seconds of processor time that no program of the tests needs: a hang shall end
 # in a failure. There is no limit by the clock, since the machine may be busy.

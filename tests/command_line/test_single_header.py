@@ -16,7 +16,7 @@ from pathlib import Path
 
 from programs import BUILD, ROOT, InFolder, communicate, run
 
-from compare.stages import stage_headers
+from tools.tree import stage_headers
 
 EVERY_STAGE = bool(os.environ.get("LIGHTWALK_EVERY_STAGE"))
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion"]
@@ -220,8 +220,8 @@ class Trees(InFolder):
         for name, text in files.items():
             (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
             (self.folder / name).write_text(text)
-        for name in ("compare", "tools/handout"):
-            shutil.copytree(ROOT / name, self.folder / name)
+        shutil.copytree(ROOT / "tools/handout", self.folder / "tools/handout")
+        shutil.copy(ROOT / "tools/tree.py", self.folder / "tools")
         return make(self.folder / "build", self.folder)
 
     def test_an_open_exercise_stays_as_it_is(self):

@@ -20,7 +20,7 @@ import subprocess
 import sys
 import tempfile
 
-from compare.stages import BUILD, ROOT
+from tools.tree import BUILD, ROOT
 
 FOLDER = BUILD / "fuzz"
 HERE = ROOT / "tests/fuzz"

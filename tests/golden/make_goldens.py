@@ -12,7 +12,7 @@ import argparse
 import tomllib
 from pathlib import Path
 
-from compare.stages import SCENES, render
+from tools.tree import SCENES, render
 
 HERE = Path(__file__).resolve().parent
 SEED = 20_000_000

@@ -8,7 +8,7 @@ import tomllib
 import unittest
 from decimal import Decimal
 
-from compare.stages import ROOT, stage_headers
+from tools.tree import ROOT, stage_headers
 
 MEASURED = ROOT / "tools/bench/measured"
 WORDS = "zero one two three four five six seven eight nine ten".split()

@@ -11,8 +11,8 @@ import tempfile
 import unittest
 from unittest import mock
 
-from compare import stages
-from compare.stages import ROOT
+from tools import tree
+from tools.tree import ROOT
 
 CPP = re.compile(r'^\s*#\s*include "(.*)"', re.MULTILINE)
 PYTHON = re.compile(r"^from (\S+) import (\w+)|^import (\S+)", re.MULTILINE)
@@ -23,6 +23,8 @@ def room(path):
     first, *rest = path.relative_to(ROOT).parts
     if path.name == "drawings.py":
         return "drawings"
+    if path.name == "tree.py":
+        return "tree"
     if first == "common" and len(rest) > 1:
         return f"common/{rest[0]}"
     return f"stages/{rest[0][0]}" if first == "stages" and len(rest) > 1 else first
@@ -55,10 +57,10 @@ def arrows():
 def ranks():
     """A room may use those of a lower rank; the core's are in its map's order.
     A chapter's drawings are what the tools draw: they use the tools, and no
-    line imports them back."""
+    line imports them back. tools/tree.py is what all Python stands on."""
     core = re.findall(r"^## (\w+)", (ROOT / "common/README.md").read_text(), re.MULTILINE)
-    order = [f"common/{name}" for name in core] + ["compare", "stages"]
-    order += sorted({room(path) for path in stages.stage_headers()})
+    order = ["tree"] + [f"common/{name}" for name in core] + ["compare", "stages"]
+    order += sorted({room(path) for path in tree.stage_headers()})
     return {name: rank for rank, name in enumerate([*order, "tests", "tools", "drawings"])}
 
 
@@ -69,11 +71,11 @@ class House(unittest.TestCase):
         self.assertEqual(back, [])
 
     def test_the_map_lists_the_core_as_it_is(self):
-        stages.core_headers()
+        tree.core_headers()
 
     def test_a_chapter_lists_its_own_headers_as_they_are(self):
-        for header in stages.stage_headers():
-            stages.listed_headers(header.parent)
+        for header in tree.stage_headers():
+            tree.listed_headers(header.parent)
 
     def assert_refused(self, change, name):
         """The map is refused with this name after the change to a copy."""
@@ -82,8 +84,8 @@ class House(unittest.TestCase):
         shutil.copytree(ROOT / "common", root / "common")
         text = (root / "common/README.md").read_text()
         (root / "common/README.md").write_text(change(text))
-        with mock.patch.object(stages, "ROOT", root):
-            self.assertRaisesRegex(stages.Failure, name, stages.core_headers)
+        with mock.patch.object(tree, "ROOT", root):
+            self.assertRaisesRegex(tree.Failure, name, tree.core_headers)
 
     def test_a_header_that_the_map_lacks(self):
         self.assert_refused(lambda text: text.replace("math/vector.hpp", ""), "math/vector.hpp")

@@ -13,7 +13,7 @@ import re
 import sys
 import unittest
 
-from compare.stages import BUILD, ROOT
+from tools.tree import BUILD, ROOT
 
 TABLE = "tools/setup/packages.txt"
 COLUMNS = "purpose use debian homebrew msys2 vcpkg words optional".split()
@@ -343,12 +343,8 @@ class Packages(unittest.TestCase):
             ),
             ("CMakeLists.txt", "\nfind_package(Boost)\n", "CMakeLists.txt uses the package Boost"),
             ("CMakeLists.txt", "\nfind_path(EMBREE embree4/rtcore.h)\n", "uses the header embree4/rtcore.h"),
-            ("compare/stages.py", "\nimport pandas\n", "stages.py uses the module pandas"),
-            (
-                "compare/stages.py",
-                '\nsubprocess.run(["gnuplot", "x"])\n',
-                "stages.py uses the program gnuplot",
-            ),
+            ("tools/tree.py", "\nimport pandas\n", "tree.py uses the module pandas"),
+            ("tools/tree.py", '\nsubprocess.run(["gnuplot", "x"])\n', "tree.py uses the program gnuplot"),
             ("tests/site/browser.cjs", '\nrequire("sharp");\n', "browser.cjs uses the node sharp"),
             ("Makefile", "\n\t@cd x && doxygen\n", "Makefile uses the program doxygen"),
         ):

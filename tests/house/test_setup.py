@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 import unittest
 
-from compare.stages import ROOT
+from tools.tree import ROOT
 
 SETUP = ROOT / "tools/setup.sh"
 TOOLS = ("sh", "dirname", "sed", "ls", "env")

@@ -4,4 +4,6 @@ struct Early {
   Early() { std::puts("an object was constructed first"); }
 } early;
 
-int main() { std::puts("the program runs"); }
+int main() {
+  std::puts("the program runs");
+}

@@ -27,9 +27,9 @@ import sys
 import tomllib
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure, stage_headers, test_names, tests_filter
 from tests.runner import suite as runner
 from tests.runner import watch
+from tools.tree import BUILD, ROOT, Failure, stage_headers, test_names, tests_filter
 
 CATALOGUE = Path(__file__).parent
 
@@ -102,7 +102,9 @@ class Suite:
         if not self.header:
             raise Failure(f"stage {stage} is not in this tree")
         commands = json.loads((BUILD / "compile_commands.json").read_text())
-        found = [one for one in commands if f"/{self.target}.dir/" in one["command"] and "/suite" in one["file"]]
+        found = [
+            one for one in commands if f"/{self.target}.dir/" in one["command"] and "/suite" in one["file"]
+        ]
         if len(found) != 1:
             raise Failure(f"{self.target} is not compiled as one file")
         self.source = Path(found[0]["file"])
@@ -367,8 +369,7 @@ def main():
     rows, errors = [], 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         results = pool.map(
-            lambda one: try_mistake(one, suites[one.stage], folder, options.named_first),
-            chosen,
+            lambda one: try_mistake(one, suites[one.stage], folder, options.named_first), chosen
         )
         for mistake, result in zip(chosen, results):
             word, error = judge(mistake, result)

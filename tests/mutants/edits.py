@@ -12,7 +12,7 @@ import re
 from clang.cindex import CursorKind as Kind
 from clang.cindex import Index, TypeKind
 
-from compare.stages import Failure
+from tools.tree import Failure
 
 
 @dataclasses.dataclass

@@ -27,9 +27,9 @@ import sys
 import threading
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure, stage_headers
 from tests.mistakes import mistakes as catalogue
 from tests.mutants import edits, schema
+from tools.tree import BUILD, ROOT, Failure, stage_headers
 
 FOLDER = BUILD / "mutants"
 

@@ -13,8 +13,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from compare.stages import ROOT
 from tests.tally import Tally
+from tools.tree import ROOT
 
 FILES = ("tests/site/test_*.py", "tools/book/test_*.py", "tests/site/*.test.cjs")
 
@@ -24,7 +24,12 @@ def run(path):
     python = [sys.executable, "-m", "tests.scripts", path]
     command = python if path.suffix == ".py" else ["node", "--test", "--test-reporter=tap", path]
     done = subprocess.run(
-        command, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+        command,
+        cwd=ROOT,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
     )
     return done.stdout, done.returncode
 

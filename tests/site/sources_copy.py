@@ -9,7 +9,7 @@ import sys
 import tempfile
 import unittest
 
-from compare.stages import BUILD, ROOT, built_stages
+from tools.tree import BUILD, ROOT, built_stages
 
 SOURCES = [
     "cmake",

@@ -2,9 +2,9 @@
 
 import re
 
-from compare.stages import ROOT
 from tests.mistakes.mistakes import read_mistakes
 from tests.site.sources_copy import STAGE1, Copy
+from tools.tree import ROOT
 
 
 class Book(Copy):

@@ -14,7 +14,7 @@ class Drawings(Copy):
         """Adds a drawing of these lines to the copy, and draws it."""
         program = (
             "from tools.weave import drawing as d\nimport sys\n"
-            "from compare.stages import Failure\n"
+            "from tools.tree import Failure\n"
             f"@d.diagram('new', 541, 300)\ndef new():\n    {body}\n"
             "try:\n    print(*d.draw('new'), sep='\\0')\n"
             "except Failure as error:\n    sys.exit(f'drawing: {error}')\n"

@@ -56,7 +56,7 @@ class Exercises(Copy):
         header.write_text(head + "// #region reflect\n" + body + tail[tail.index("// #endregion reflect") :])
         says = (
             "from tools.book.page import mark; from tools.weave.literate import pieces; "
-            "from compare.stages import stage_headers; path = stage_headers()[3]; "
+            "from tools.tree import stage_headers; path = stage_headers()[3]; "
             "print(next(mark(path, one)[0] for one in pieces(path) if one.region == 'reflect'))"
         )
         run = subprocess.run([sys.executable, "-c", says], cwd=self.root, capture_output=True, text=True)

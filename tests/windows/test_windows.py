@@ -13,9 +13,9 @@ import subprocess
 import tempfile
 import unittest
 
-from compare.stages import BUILD, ROOT, stage_headers
 from tests.command_line.programs import run_command
 from tests.windows.tools import wine_program
+from tools.tree import BUILD, ROOT, stage_headers
 
 WINDOWS = BUILD / "windows"
 STAGES = [int(header.parent.name[0]) for header in stage_headers()]

@@ -3,7 +3,7 @@
 import shutil
 import sys
 
-from compare.stages import left_out
+from tools.tree import left_out
 
 
 def wine_program():

@@ -11,7 +11,7 @@ import re
 import statistics
 import tempfile
 
-from compare.stages import BUILD, SCENES, render, run
+from tools.tree import BUILD, SCENES, render, run
 
 # Less than this means that something is not inlined any more.
 BARS = {"AVX2": 2.5, "AVX-512": 3.5}

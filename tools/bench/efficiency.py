@@ -16,7 +16,7 @@ import math
 import pathlib
 import tempfile
 
-from compare.stages import SCENES, read_pfm, render
+from tools.tree import SCENES, read_pfm, render
 from tools.weave.drawing import curve, line, svg, text
 
 COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7"]

@@ -16,8 +16,8 @@ import pathlib
 import tempfile
 from statistics import mean, variance
 
-from compare.stages import ROOT, SCENES, read_pfm, render
 from tools.bench.machine import machine
+from tools.tree import ROOT, SCENES, read_pfm, render
 
 TABLE = ROOT / "tools/bench/measured/equal_time.toml"
 SCENE, SIZE, SEEDS = "plastic", "64x64", 6

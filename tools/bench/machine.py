@@ -5,7 +5,7 @@ import platform
 import re
 from pathlib import Path
 
-from compare.stages import BUILD
+from tools.tree import BUILD
 
 CPU_INFO = Path("/proc/cpuinfo")
 

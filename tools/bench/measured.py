@@ -11,9 +11,9 @@ import shutil
 import subprocess
 import sys
 
-from compare.stages import BUILD, ROOT, Failure
 from tools.bench.machine import machine
 from tools.book.measurements import benchmarks, table
+from tools.tree import BUILD, ROOT, Failure
 
 FOLDER = ROOT / "tools/bench/measured"
 

@@ -29,8 +29,8 @@ from pathlib import Path
 import mitsuba
 import numpy
 
-from compare.stages import BUILD, SCENES, read_pfm, render
 from tools.bench.bar import registers
+from tools.tree import BUILD, SCENES, read_pfm, render
 
 BOXES = (
     "cornell_box_point_diffuse",

@@ -12,7 +12,6 @@ import shutil
 import sys
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure, core_headers, listed_headers, stage_headers
 from tools.book.catalogue import read_catalogue
 from tools.book.definitions import link_definitions
 from tools.book.figures import PlacedFigures
@@ -22,12 +21,13 @@ from tools.book.mistakes import figure_entry, mistakes_page, read_gallery
 from tools.book.page import page_of, weave
 from tools.book.set_formulas import set_formulas
 from tools.book.symbols import symbols_page
+from tools.exercises.sheet import read_sheet, task_file
 from tools.live.build import add_box, check_live
+from tools.tree import BUILD, ROOT, Failure, core_headers, listed_headers, stage_headers
 from tools.weave.figures import BOOK, placed_names
 from tools.weave.formulas import check_formulas, formulas, formulas_of_header
 from tools.weave.names import check_names, check_text
 from tools.weave.offline import check_offline
-from tools.exercises.sheet import read_sheet, task_file
 from tools.weave.transcripts import check_transcripts
 
 HERE = Path(__file__).parent

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import SimpleNamespace
 
-from compare.stages import stage_headers, test_names
 from tests.mistakes.mistakes import CATALOGUE, Mistake, changed_header, read_mistakes
 from tools.book.page import page_of
+from tools.tree import stage_headers, test_names
 
 
 @dataclass

@@ -8,7 +8,7 @@ that of the nearest stage before it, else the core's.
 import re
 from collections import Counter, defaultdict
 
-from compare.stages import ROOT
+from tools.tree import ROOT
 
 # At the beginning of a line, which is where the house's style puts them.
 FUNCTION = re.compile(

@@ -3,8 +3,8 @@
 import re
 from collections import Counter
 
-from compare.stages import ROOT, Failure
 from tools.book.page import page_of
+from tools.tree import ROOT, Failure
 from tools.weave.figures import Figures
 
 WIDEST_BESIDE = 4  # panels

@@ -4,7 +4,7 @@ import json
 import shutil
 from statistics import median
 
-from compare.stages import ROOT, Failure
+from tools.tree import ROOT, Failure
 
 MEASURED = ROOT / "tools/bench/measured"
 

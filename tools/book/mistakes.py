@@ -9,9 +9,9 @@ import tomllib
 
 from docutils.nodes import make_id
 
-from compare.stages import ROOT, Failure, tests_filter
 from tools.book.catalogue import diff_html, escaped, read_catalogue
 from tools.book.page import fenced
+from tools.tree import ROOT, Failure, tests_filter
 
 GALLERY = ROOT / "tools/book/gallery.toml"
 

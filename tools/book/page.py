@@ -5,7 +5,7 @@ import itertools
 import re
 from dataclasses import dataclass, field
 
-from compare.stages import ROOT
+from tools.tree import ROOT
 from tools.weave.figures import figure_reference
 from tools.weave.literate import changed_lines, earlier_version, pieces
 from tools.weave.transcripts import transcripts_of

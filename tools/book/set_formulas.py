@@ -6,7 +6,7 @@ import re
 import subprocess
 from pathlib import Path
 
-from compare.stages import BUILD, Failure
+from tools.tree import BUILD, Failure
 
 FORMULA = re.compile(
     r'<span class="math notranslate nohighlight">\\\((?P<inline>.*?)\\\)</span>'

@@ -1,9 +1,9 @@
 """The page that sets each symbol of the formulas against its name in code."""
 
-from pathlib import Path
 import tomllib
+from pathlib import Path
 
-from compare.stages import Failure, stage_headers
+from tools.tree import Failure, stage_headers
 from tools.weave.names import exists
 
 HERE = Path(__file__).parent

@@ -7,10 +7,10 @@ import tempfile
 import unittest
 from types import SimpleNamespace
 
-from compare.stages import Failure
 from tools.book.keep_together import keep_together
 from tools.exercises.words import formula
 from tools.slides.formulas import name_formulas
+from tools.tree import Failure
 
 
 def luminance(color):

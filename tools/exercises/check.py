@@ -21,11 +21,11 @@ import textwrap
 import time
 import tomllib
 
-from compare.stages import BUILD, ROOT, Failure, tests_filter
 from tests.runner import report, suite, watch
 from tools.exercises.marks import marks
 from tools.exercises.sheet import headers_with_exercises, read_tasks, title_of
 from tools.exercises.words import plain
+from tools.tree import BUILD, ROOT, Failure, tests_filter
 
 NOTES = BUILD / "check"
 SCREEN = 24

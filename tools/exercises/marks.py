@@ -19,7 +19,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from compare.stages import ROOT, Failure, stage_headers
+from tools.tree import ROOT, Failure, stage_headers
 
 LONGEST = 20
 REGION = re.compile(r"// #(end)?region ([\w-]+)$")

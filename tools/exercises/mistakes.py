@@ -15,10 +15,10 @@ import concurrent.futures
 import os
 import sys
 
-from compare.stages import BUILD, Failure, tests_filter
 from tests.mistakes import mistakes as catalogue
 from tools.exercises.marks import exercises
 from tools.exercises.sheet import read_sheet
+from tools.tree import BUILD, Failure, tests_filter
 
 
 def exercise_of(mistake, suite):

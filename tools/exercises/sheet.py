@@ -13,8 +13,8 @@ import functools
 import tomllib
 from dataclasses import dataclass, field
 
-from compare.stages import ROOT, Failure, stage_headers, test_names, tests_filter
 from tools.exercises.marks import Exercise, exercises, order
+from tools.tree import ROOT, Failure, stage_headers, test_names, tests_filter
 
 QUESTIONS, RECAP, HINTS = 3, 5, 2
 KEYS = {

@@ -4,8 +4,8 @@ book's: without its solutions, its answers and what leads to other pages."""
 import re
 from pathlib import Path
 
-from compare.stages import BUILD
 from tools.exercises.sheet import title_of
+from tools.tree import BUILD
 
 BOOK = BUILD / "book"
 PAGE = """\

@@ -4,12 +4,12 @@ import re
 import tomllib
 from pathlib import Path
 
-from compare.stages import ROOT, Failure, stage_headers
 from tools.exercises.marks import exercises
 from tools.exercises.sheet import title_of
 from tools.handout.chapter_page import book_page, chapter_page
 from tools.handout.lab_sheet import lab_sheet
 from tools.handout.opened import opened
+from tools.tree import ROOT, Failure, stage_headers
 
 OVERLAY = Path(__file__).parent / "tree"
 # Everything that every stage needs. A folder ends with a stroke.
@@ -27,6 +27,7 @@ COMMON = (
     "tests/suites.cmake",
     "tests/leaks.supp",
     "tools/__init__.py",
+    "tools/tree.py",
     "tools/exercises/",
     "CMakeLists.txt",
     ".gitignore",

@@ -21,9 +21,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-from compare.stages import ROOT, Failure
 from tools.handout.contents import contents
 from tools.handout.third_party import copy_libraries
+from tools.tree import ROOT, Failure
 
 NOTE = "handout.json"
 

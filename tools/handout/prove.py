@@ -19,11 +19,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from compare.stages import ROOT, Failure, tests_filter
 from tools.exercises.marks import exercises, marks
 from tools.exercises.sheet import headers_with_exercises, read_sheet
 from tools.handout.contents import contents, stage_of
 from tools.handout.handout import add_to, git, make_new
+from tools.tree import ROOT, Failure, tests_filter
 
 # A line of a solution that is shorter may stand anywhere by chance.
 LONGEST_CHANCE = 20

@@ -14,7 +14,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure, stage_headers
+from tools.tree import BUILD, ROOT, Failure, stage_headers
 
 # What a program finds in the header beside its stage, and includes for it.
 CORE = ["common/render/paint.hpp", "common/image/pfm.hpp", "common/image/ppm.hpp"]

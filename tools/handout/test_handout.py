@@ -14,7 +14,6 @@ import unittest
 import unittest.mock as mock
 from pathlib import Path
 
-from compare.stages import ROOT, Failure
 from tests.runner import watch
 from tests.runner.doctest_report import Test
 from tests.runner.suite import Outcome
@@ -25,6 +24,7 @@ from tools.handout.contents import contents
 from tools.handout.handout import add_to, git, make_new
 from tools.handout.opened import opened
 from tools.handout.prove import leaks
+from tools.tree import ROOT, Failure
 
 
 class Messages(unittest.TestCase):

@@ -6,7 +6,7 @@ They are copied from where this machine has them installed.
 import shutil
 from pathlib import Path
 
-from compare.stages import Failure
+from tools.tree import Failure
 
 PREFIXES = [Path(folder) for folder in ("/usr/local", "/opt/homebrew", "/usr")]
 # Of each library: its folder in include/, Debian's package, and its home.

@@ -12,9 +12,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure, left_out
 from tests.mistakes.mistakes import CATALOGUE, read_mistakes
 from tools.exercises.sheet import headers_with_exercises
+from tools.tree import BUILD, ROOT, Failure, left_out
 from tools.weave.mistaken import in_namespace
 
 HERE = Path(__file__).parent

@@ -11,8 +11,8 @@ where no compiler makes WebAssembly.
 import sys
 from pathlib import Path
 
-from compare.stages import Failure
 from tools.live.box import box_script
+from tools.tree import Failure
 
 HERE = Path(__file__).parent
 # The first is what the others use.

@@ -10,7 +10,6 @@ import shutil
 import subprocess
 import sys
 
-from compare.stages import BUILD, ROOT, Failure
 from tools.slides.course import course_table, unfilled
 from tools.slides.deck import decks
 from tools.slides.formulas import name_formulas
@@ -18,6 +17,7 @@ from tools.slides.index import index_page
 from tools.slides.links import OWN, corner, without_links
 from tools.slides.listing import colors, fill
 from tools.slides.plans import plans
+from tools.tree import BUILD, ROOT, Failure
 from tools.weave.figures import SLIDES, Figures, placed_names
 from tools.weave.formulas import check_formulas, formulas
 from tools.weave.names import check_text

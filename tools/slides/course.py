@@ -2,7 +2,7 @@
 
 import tomllib
 
-from compare.stages import ROOT, Failure
+from tools.tree import ROOT, Failure
 
 FILE = "slides/course.toml"
 OPEN = "fill in slides/course.toml"

@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass
 
-from compare.stages import ROOT, Failure
+from tools.tree import ROOT, Failure
 
 COMMENT = re.compile(r"<!--\s*(.*?)\s*-->", re.S)
 

@@ -3,8 +3,8 @@
 import re
 from html import escape
 
-from compare.stages import Failure
 from tools.exercises.words import formula
+from tools.tree import Failure
 from tools.weave.formulas import formulas
 
 SET = re.compile(r'(<mjx-container class="MathJax"[^>]*><svg )')

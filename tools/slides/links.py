@@ -3,8 +3,8 @@ and the tests that belong to it. The book is built beside the slides."""
 
 import re
 
-from compare.stages import ROOT, Failure
 from tools.book.page import page_of, slug
+from tools.tree import ROOT, Failure
 from tools.weave.literate import pieces, region
 
 BOOK = "../book"

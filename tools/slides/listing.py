@@ -7,7 +7,7 @@ from pygments import highlight
 from pygments.formatters import HtmlFormatter
 from pygments.lexers import CppLexer
 
-from compare.stages import ROOT, Failure
+from tools.tree import ROOT, Failure
 from tools.weave.code_colors import CodeColors
 from tools.weave.literate import changed_lines, earlier_version, region
 

@@ -4,7 +4,7 @@ and how long that takes by the notes."""
 import tomllib
 from dataclasses import dataclass
 
-from compare.stages import ROOT, Failure
+from tools.tree import ROOT, Failure
 
 FILE = "slides/plans.toml"
 

@@ -8,7 +8,7 @@ never smaller than the text of a page: smaller sizes are raised.
 import math
 import re
 
-from compare.stages import Failure
+from tools.tree import Failure
 
 INK, SOFT, PAPER = "#222", "#606060", "#fff"
 WARM, COOL, GREEN, RED, LAMP, GRAY = "#a54118", "#1f5fa8", "#2f6f2f", "#a82c2c", "#e8b400", "#444"

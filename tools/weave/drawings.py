@@ -4,7 +4,7 @@ import math
 import random
 import tomllib
 
-from compare.stages import ROOT
+from tools.tree import ROOT
 from tools.weave import drawing as d
 
 BOX = "scenes/cornell_box_point.toml"

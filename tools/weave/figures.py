@@ -9,7 +9,7 @@ import shutil
 import tomllib
 from concurrent.futures import ThreadPoolExecutor, as_completed
 
-from compare.stages import ROOT, Failure
+from tools.tree import ROOT, Failure
 from tools.weave.drawing import draw
 from tools.weave.mistaken import build_programs
 from tools.weave.png import strip_curve

@@ -6,7 +6,7 @@ import re
 import subprocess
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure
+from tools.tree import BUILD, ROOT, Failure
 from tools.weave.literate import pieces
 
 CODE = re.compile(r"^```.*?^```|`[^`\n]+`|^    .*?$", re.S | re.M)

@@ -4,8 +4,8 @@ import difflib
 import re
 from dataclasses import dataclass, field
 
-from compare.stages import ROOT, Failure, stage_headers
 from tools.exercises.marks import REGION, exercises, hidden
+from tools.tree import ROOT, Failure, stage_headers
 
 WIDEST = 78
 CLOSING = re.compile(r"^(#pragma once|\}  // namespace [\w:]+|)$")

@@ -21,8 +21,8 @@ import tempfile
 from pathlib import Path
 from types import SimpleNamespace
 
-from compare.stages import BUILD, ROOT, Failure, stage_headers
 from tests.mistakes.mistakes import CATALOGUE, changed_header, read_mistakes, run
+from tools.tree import BUILD, ROOT, Failure, stage_headers
 
 # More in one program take longer than as many programs at the same time.
 MOST_TOGETHER = 6

@@ -3,7 +3,7 @@
 import functools
 import re
 
-from compare.stages import ROOT, Failure
+from tools.tree import ROOT, Failure
 from tools.weave.literate import pieces
 
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")

@@ -7,7 +7,7 @@ import re
 import sys
 from pathlib import Path
 
-from compare.stages import Failure
+from tools.tree import Failure
 
 ELSEWHERE = r"[\"']?\s*(?:https?:|wss?:)?//[\w.-]+"
 REQUESTS = re.compile(

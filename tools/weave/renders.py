@@ -15,7 +15,7 @@ import tomllib
 from collections import defaultdict
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure, render
+from tools.tree import BUILD, ROOT, Failure, render
 from tools.weave import mistaken
 
 WORDS = {

@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 from decimal import Decimal
 from pathlib import Path
 
-from compare.stages import BUILD, ROOT, Failure
+from tools.tree import BUILD, ROOT, Failure
 from tools.weave.literate import pieces
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?(?!\w)")

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "stages/6_many_paths/rows/column.hpp"
 #include "common/scene/material.hpp"
+#include "stages/6_many_paths/rows/column.hpp"
 
 #ifdef LIGHTWALK_ROWS
 

@@ -14,9 +14,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "common/scene/scene.hpp"
 #include "stages/6_many_paths/rows/column.hpp"
 #include "stages/6_many_paths/rows/hit_row.hpp"
-#include "common/scene/scene.hpp"
 
 #ifdef LIGHTWALK_ROWS
 
