@@ -40,7 +40,7 @@ class BoundingVolumeHierarchy {
  public:
   /// From this depth on parts are halved.
   static constexpr int deepest_cut = 32;
-  static constexpr int most_levels = deepest_cut + 10;
+  static constexpr int max_levels = deepest_cut + 10;
   static constexpr std::uint32_t no_shape = 0xffffffff;
 
   BoundingVolumeHierarchy() = default;
@@ -85,7 +85,7 @@ class BoundingVolumeHierarchy {
         end = visit(static_cast<std::uint32_t>(~next.child));
       } else {
         const Node& node = nodes_[static_cast<std::size_t>(next.child)];
-        const BoundsMet met = box_ray.meet(node.boxes, end);
+        const BoxHits met = box_ray.meet(node.boxes, end);
         unsigned lanes = met.lanes;
         if (lanes != 0) {  // go on with the nearest child
           const auto entry = [&] {
@@ -122,8 +122,7 @@ class BoundingVolumeHierarchy {
     float distance;
     std::int32_t child;
   };
-  static constexpr std::size_t stack_size =
-      (lane_count - 1) * most_levels + 1;
+  static constexpr std::size_t stack_size = (lane_count - 1) * max_levels + 1;
   std::int32_t build(const Part& whole, int depth,
                      std::vector<std::uint32_t>& order) {
     const auto index = nodes_.size();

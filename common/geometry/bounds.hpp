@@ -94,7 +94,7 @@ struct BoundsPack {
 // planes is taken to be farther than it is, by more than all roundings here.
 
 /// What a ray meets of eight boxes.
-struct BoundsMet {
+struct BoxHits {
   unsigned lanes;    ///< a bit for each box that it meets
   Float8 distances;  ///< where it enters them
 };
@@ -114,7 +114,7 @@ class BoundsRay {
 
   // #region box-intersection
   /// The boxes that the ray is in somewhere between 0 and `end`.
-  BoundsMet meet(const BoundsPack& boxes, float end) const {
+  BoxHits meet(const BoundsPack& boxes, float end) const {
     Float8 first = broadcast(0.0f), last = broadcast(end);
     clip(boxes, &Vec3x8::x, 0, first, last);
     clip(boxes, &Vec3x8::y, 1, first, last);

@@ -48,7 +48,7 @@ struct Part {
 };
 
 /// The work of rays that meet a box with so many shapes.
-inline float work_in(const Bounds& box, std::ptrdiff_t count) {
+inline float sah_cost(const Bounds& box, std::ptrdiff_t count) {
   const std::ptrdiff_t packs = (count + lane_count - 1) / lane_count;
   return static_cast<float>(packs) * box.half_area();
 }
@@ -97,12 +97,12 @@ inline void improve(Cut& best, const Part& part, int by, float low,
   Bin side;
   for (std::size_t i = bin_count - 1; i > 0; --i) {
     side.include(bins[i]);
-    right[i] = work_in(side.box, side.count);
+    right[i] = sah_cost(side.box, side.count);
   }
   side = {};
   for (std::size_t i = 1; i < bin_count; ++i) {
     side.include(bins[i - 1]);
-    next.work = work_in(side.box, side.count) + right[i];
+    next.work = sah_cost(side.box, side.count) + right[i];
     next.bin = static_cast<int>(i);
     if (side.count > 0 && side.count < part.size() && next.work < best.work) {
       best = next;
@@ -117,7 +117,7 @@ inline Cut best_cut(const Part& part) {
   for (int axis = 0; axis < 3; ++axis) {
     improve(best, part, axis, centers.low[axis], centers.high[axis]);
   }
-  if (best.work < 0.8f * work_in(part.box, part.size())) return best;
+  if (best.work < 0.8f * sah_cost(part.box, part.size())) return best;
   Bounds sizes;
   for (const Item* item = part.begin; item != part.end; ++item) {
     sizes.include(item->box.high - item->box.low);

@@ -151,7 +151,8 @@ class Geometry {
   static Float8 distances(const Pack& pack, std::int32_t number,
                           const Ray& ray) {
     Float8 t = pack.intersect(ray);
-    if (ray.leaves >> 3 == number) t[ray.leaves & 7] = ray.again;
+    if (ray.origin_slot >> 3 == number)
+      t[ray.origin_slot & 7] = ray.self_hit_distance;
     return t;
   }
   static_assert(lane_count == 8);
@@ -194,8 +195,8 @@ class Geometry {
     }
 
     template <class Shape, class Pack>
-    LIGHTWALK_APART void consider_tree(const ShapeList<Shape, Pack>& list,
-                                       const Ray& ray) {
+    LIGHTWALK_NOINLINE void consider_tree(const ShapeList<Shape, Pack>& list,
+                                          const Ray& ray) {
       float end = smallest(distance);
       list.tree().walk(ray, end, [&](std::uint32_t i) {
         const std::int32_t number = packs_seen + static_cast<std::int32_t>(i);
@@ -228,7 +229,7 @@ class Geometry {
   }
 
   template <class Shape, class Pack>
-  LIGHTWALK_APART static bool tree_occludes(
+  LIGHTWALK_NOINLINE static bool tree_occludes(
       const ShapeList<Shape, Pack>& list, const Ray& ray, float distance,
       std::int32_t first) {
     bool occluded = false;
@@ -276,7 +277,7 @@ class Geometry {
     hit.shape_index = static_cast<std::uint32_t>(index);
     hit.material = shape.material;
     hit.light = shape.light;
-    place_hit(shape, back, hit);
+    snap_to_surface(shape, back, hit);
     return true;
   }
 

@@ -10,13 +10,13 @@
 // Both are advice. Compilers that do not know it give the same bits.
 
 #if defined(__GNUC__) && !defined(__clang__)
-#define LIGHTWALK_IN_ONE_PIECE __attribute__((flatten))
+#define LIGHTWALK_FLATTEN __attribute__((flatten))
 #else
-#define LIGHTWALK_IN_ONE_PIECE
+#define LIGHTWALK_FLATTEN
 #endif
 
 #if defined(__GNUC__) || defined(__clang__)
-#define LIGHTWALK_APART [[gnu::noinline]]
+#define LIGHTWALK_NOINLINE [[gnu::noinline]]
 #else
-#define LIGHTWALK_APART
+#define LIGHTWALK_NOINLINE
 #endif

@@ -25,7 +25,7 @@ struct Plane {
 
 /// What it takes to intersect planes: eight with one ray, or one with many.
 template <class Vector, class Number>
-struct PlaneForm {
+struct PlaneIntersector {
   Vector normal;
   Number distance{};
 
@@ -39,12 +39,12 @@ struct PlaneForm {
   // #endregion plane-intersection
 };
 
-inline PlaneForm<Vec3, float> form_of(const Plane& plane) {
+inline PlaneIntersector<Vec3, float> intersector_of(const Plane& plane) {
   return {plane.normal, plane.distance};
 }
 
 /// Eight planes. A lane that is not set is hit by no ray.
-struct PlanePack : PlaneForm<Vec3x8, Float8> {
+struct PlanePack : PlaneIntersector<Vec3x8, Float8> {
   void set(int lane, const Plane& plane) {
     normal.set(lane, plane.normal);
     distance[lane] = plane.distance;
@@ -57,18 +57,18 @@ struct PlanePack : PlaneForm<Vec3x8, Float8> {
 /// square $1 + \epsilon$ of that length, which is to be multiplied by
 /// $1 - \epsilon$.
 template <class DoubleVector, class Double>
-DoubleVector point_below(const DoubleVector& x, const Double& height,
-                         const DoubleVector& n) {
+DoubleVector project_onto_plane(const DoubleVector& x, const Double& height,
+                                const DoubleVector& n) {
   return x - height * (2.0 - dot(n, n)) * n;
 }
 
 /// Completes a hit at `hit.position`, which rounding has put near the plane,
 /// and moves it back by `back` within the plane.
-inline void place_hit(const Plane& plane, const Vec3& back, Hit& hit) {
+inline void snap_to_surface(const Plane& plane, const Vec3& back, Hit& hit) {
   hit.normal = plane.normal;
   const DoubleVec3 x(hit.position - back), n(plane.normal);
   const double height = dot(n, x) + static_cast<double>(plane.distance);
-  hit.position = Vec3(point_below(x, height, n));
+  hit.position = Vec3(project_onto_plane(x, height, n));
   hit.diameter = 0;
 }
 

@@ -18,13 +18,13 @@ struct Material;
 /// A slot that no shape has: see Geometry.
 inline constexpr std::int32_t no_slot = -1;
 
-/// A half-line. `direction` is a unit vector. The shape that it starts on is
-/// in the slot `leaves`; it is met again at the distance `again`, or never
-/// where that is not above 0.
+/// A half-line. `direction` is a unit vector. `origin_slot` is the slot of
+/// the shape that it starts on. The ray meets that shape again at the
+/// distance `self_hit_distance`, or never where that is not above 0.
 struct Ray {
   Vec3 origin, direction;
-  std::int32_t leaves = no_slot;
-  float again = 0;
+  std::int32_t origin_slot = no_slot;
+  float self_hit_distance = 0;
 };
 
 enum class ShapeType : std::uint8_t { plane, sphere, rectangle, triangle };

@@ -102,10 +102,10 @@ FlatForm<Shape, Vec3, float> form_of_flat(const Shape& flat) {
   return {flat.corner, flat.normal,    dual_u,
           dual_v,      length(dual_u), length(dual_v)};
 }
-inline auto form_of(const Rectangle& rectangle) {
+inline auto intersector_of(const Rectangle& rectangle) {
   return form_of_flat(rectangle);
 }
-inline auto form_of(const Triangle& triangle) {
+inline auto intersector_of(const Triangle& triangle) {
   return form_of_flat(triangle);
 }
 
@@ -114,7 +114,7 @@ inline auto form_of(const Triangle& triangle) {
 template <class Shape>
 struct FlatPack : FlatForm<Shape, Vec3x8, Float8> {
   void set(int lane, const Shape& flat) {
-    const auto form = form_of(flat);
+    const auto form = intersector_of(flat);
     this->corner.set(lane, form.corner);
     this->normal.set(lane, form.normal);
     this->dual_u.set(lane, form.dual_u);
@@ -126,11 +126,12 @@ struct FlatPack : FlatForm<Shape, Vec3x8, Float8> {
 
 /// Completes a hit at `hit.position`, which rounding has put near the plane,
 /// and moves it back by `back` within the plane.
-inline void place_hit(const FlatShape& flat, const Vec3& back, Hit& hit) {
+inline void snap_to_surface(const FlatShape& flat, const Vec3& back,
+                            Hit& hit) {
   hit.normal = flat.normal;
   const DoubleVec3 x(hit.position - back), n(flat.normal);
   const double height = dot(n, x - DoubleVec3(flat.corner));
-  hit.position = Vec3(point_below(x, height, n));
+  hit.position = Vec3(project_onto_plane(x, height, n));
   hit.diameter = 0;
 }
 

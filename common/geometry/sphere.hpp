@@ -37,7 +37,7 @@ struct Sphere {
 
 /// What it takes to intersect spheres: eight with one ray, or one with many.
 template <class Vector, class Number>
-struct SphereForm {
+struct SphereIntersector {
   Vector center;
   Number radius_squared;
   bool has_large = false;
@@ -72,7 +72,7 @@ struct SphereForm {
   }
 };
 
-inline SphereForm<Vec3, float> form_of(const Sphere& sphere) {
+inline SphereIntersector<Vec3, float> intersector_of(const Sphere& sphere) {
   const DoubleVec3 c(sphere.center);
   const auto r = static_cast<double>(sphere.radius);
   const double away = length(c);
@@ -88,14 +88,14 @@ inline SphereForm<Vec3, float> form_of(const Sphere& sphere) {
 }
 
 /// Eight spheres. A lane that is not set is hit by no ray.
-struct SpherePack : SphereForm<Vec3x8, Float8> {
+struct SpherePack : SphereIntersector<Vec3x8, Float8> {
   SpherePack() {
     radius_squared = broadcast(-1.0f);
     error = broadcast(0.0f);
   }
 
   void set(int lane, const Sphere& sphere) {
-    const auto form = form_of(sphere);
+    const auto form = intersector_of(sphere);
     center.set(lane, form.center);
     radius_squared[lane] = form.radius_squared;
     has_large = has_large || form.has_large;
@@ -107,7 +107,8 @@ struct SpherePack : SphereForm<Vec3x8, Float8> {
 
 /// Completes a hit at `hit.position`, which rounding has put near the sphere,
 /// and moves it back by `back` along the sphere.
-inline void place_hit(const Sphere& sphere, const Vec3& back, Hit& hit) {
+inline void snap_to_surface(const Sphere& sphere, const Vec3& back,
+                            Hit& hit) {
   const DoubleVec3 center(sphere.center);
   const DoubleVec3 out = DoubleVec3(hit.position) - center;
   // The center itself is hit where the sphere is smaller than rounding.

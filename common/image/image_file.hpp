@@ -1,6 +1,7 @@
 #pragma once
 
-// Images in files, told apart by the ending of their name: a table of formats.
+// Images in files, told apart by the ending of their name: a table of
+// formats.
 // An image is encoded in memory first, so what can go wrong with a file is in
 // one place.
 
@@ -64,7 +65,7 @@ inline Texture read_texture_by_module(const std::string& name) {
 
 // ## All formats
 
-/// What can be done with files of one ending; null where that is not possible.
+/// What can be done with files of one ending; null where it is impossible.
 struct ImageFormat {
   std::string_view ending;
   std::string (*encode)(const RenderResult&, const ToneMapping&);
@@ -105,7 +106,7 @@ std::vector<std::string_view> endings_with(Function ImageFormat::*can) {
   return endings;
 }
 
-/// The format of a file that can be used so. Throws a FileError where none is.
+/// The format of a file that can be used so. Throws a FileError if none is.
 template <class Function>
 const ImageFormat& format_of(const std::string& name,
                              Function ImageFormat::*can) {

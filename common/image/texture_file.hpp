@@ -10,7 +10,7 @@
 namespace lightwalk {
 
 /// Reads a picture of 8 bits a channel, sRGB. `path` is relative to `folder`,
-/// and must not lead out of it: a scene is handed on together with its folder,
+/// and must not lead out of it: a scene is handed on with its folder,
 /// and should work there. Throws a FileError.
 inline Texture load_texture(const std::string& folder,
                             const std::string& path) {

@@ -142,7 +142,7 @@ void add_render_options(CLI::App& app, const Program& program,
             "Samples per pixel")
       ->default_str(or_scene + std::to_string(defaults.samples_per_pixel));
   add_whole(app, "--max-bounces", options.max_bounces, 0,
-            program.most_bounces, "Longest path, in bounces")
+            program.bounce_limit, "Longest path, in bounces")
       ->default_str(or_scene + std::to_string(program.default_bounces));
   add_whole(app, "--seed", options.seed, std::uint64_t{0},
             std::numeric_limits<std::uint64_t>::max(),

@@ -40,7 +40,7 @@ struct Program {
   std::string mode = {};         ///< what --version says besides
   Syllabus syllabus = {};        ///< which scenes it can paint
   int default_bounces = bounce_cap;
-  int most_bounces = bounce_cap;
+  int bounce_limit = bounce_cap;
 };
 
 /// Reads the command line into `options`. Returns the exit code where there

@@ -52,11 +52,11 @@ RenderSettings settings_for(const Program& program, const Options& options,
   settings.seed = options.seed.value_or(settings.seed);
   settings.sampling = options.sampling.value_or(settings.sampling);
   settings.threads = options.threads.value_or(settings.threads);
-  if (settings.max_bounces > program.most_bounces) {
+  if (settings.max_bounces > program.bounce_limit) {
     throw std::runtime_error(
         options.scene + " asks for " + std::to_string(settings.max_bounces) +
         " bounces, and " + program.name + " can do at most " +
-        std::to_string(program.most_bounces));
+        std::to_string(program.bounce_limit));
   }
   return settings;
 }
@@ -122,7 +122,7 @@ void say_what_was_rendered(const Report& report) {
               static_cast<double>(info.rays) / samples);
 }
 
-int paint_scene(const Program& program, const Tracing& tracing,
+int paint_scene(const Program& program, const PathTracerCalls& tracing,
                 const Options& options, LoadedScene& loaded,
                 const RenderSettings& settings) {
   const Camera& camera = loaded.scene.camera;
@@ -180,7 +180,7 @@ int paint_scene(const Program& program, const Tracing& tracing,
   return report.interrupted ? 130 : 0;
 }
 
-int tell_path(const Program& program, const Tracing& tracing,
+int tell_path(const Program& program, const PathTracerCalls& tracing,
               const PixelSample& which, const LoadedScene& loaded,
               const RenderSettings& settings) {
   const Camera& camera = loaded.scene.camera;
@@ -211,7 +211,7 @@ int tell_path(const Program& program, const Tracing& tracing,
   return 0;
 }
 
-int run_scene(const Program& program, const Tracing& tracing,
+int run_scene(const Program& program, const PathTracerCalls& tracing,
               const Options& options) {
   LoadedScene loaded = load_scene(options.scene, program.syllabus);
   if (!options.quiet) {
@@ -233,7 +233,7 @@ int run_scene(const Program& program, const Tracing& tracing,
 }  // namespace
 
 int run(int argc, char** argv, const Program& program,
-        const Tracing& tracing) {
+        const PathTracerCalls& tracing) {
   prepare_console();
   Options options;
   if (const auto code = parse_options(argc, argv, program, options)) {

@@ -11,7 +11,7 @@
 namespace lightwalk {
 
 /// What the program asks of a path tracer.
-struct Tracing {
+struct PathTracerCalls {
   RenderResult (*paint)(Scene&, const RenderSettings&,
                         const std::atomic<bool>& stop, RenderProgress&);
   Vec3 (*sample)(const Scene&, const RenderSettings&, const PixelSample&);
@@ -21,18 +21,18 @@ struct Tracing {
 /// images. Returns the exit code: 0 done, 1 could not, 2 wrong usage, 130
 /// interrupted.
 int run(int argc, char** argv, const Program& program,
-        const Tracing& tracing);
+        const PathTracerCalls& tracing);
 
 /// The same, with a path tracer of the caller's, and one that can tell of its
 /// paths.
-template <class PathTracer, class Teller = PathTracer>
+template <class PathTracer, class SinglePathTracer = PathTracer>
 int run(int argc, char** argv, const Program& program) {
   return run(argc, argv, program,
              {.paint = paint<PathTracer>,
               .sample = [](const Scene& scene, const RenderSettings& settings,
                            const PixelSample& which) {
-                return sample_radiance(Teller(scene, settings), scene,
-                                       settings.seed, which);
+                return sample_radiance(SinglePathTracer(scene, settings),
+                                       scene, settings.seed, which);
               }});
 }
 

@@ -57,11 +57,10 @@ Vec3 sample_radiance(const PathTracer& tracer, const Scene& scene,
 /// Renders one tile with a stage's path tracer, whose function
 /// `radiance(ray, random)` returns the light that comes back along a ray.
 template <class PathTracer>
-LIGHTWALK_IN_ONE_PIECE void render_tile(const PathTracer& tracer,
-                                        const Scene& scene,
-                                        std::uint64_t seed, const Tile& tile,
-                                        Film& film,
-                                        const std::atomic<bool>& stop) {
+LIGHTWALK_FLATTEN void render_tile(const PathTracer& tracer,
+                                   const Scene& scene, std::uint64_t seed,
+                                   const Tile& tile, Film& film,
+                                   const std::atomic<bool>& stop) {
   for (int row = tile.top; row < tile.bottom; ++row) {
     for (int column = tile.left; column < tile.right; ++column) {
       Pixel pixel = film.pixel(column, row);
@@ -79,7 +78,7 @@ LIGHTWALK_IN_ONE_PIECE void render_tile(const PathTracer& tracer,
 // #endregion render-tile
 
 inline constexpr int tile_size = 16;
-inline constexpr std::uint32_t most_samples_in_a_pass = 64;
+inline constexpr std::uint32_t max_samples_in_a_pass = 64;
 
 /// Renders every tile of one pass. Throws what a thread has thrown.
 inline void render_pass(const TileRenderer& render_tile, Film& film,
@@ -142,7 +141,7 @@ inline void render(const TileRenderer& render_tile,
   std::uint32_t done = 0;
   while (done < samples && !stop) {
     // As many as there are already, so a first picture is there at once.
-    const std::uint32_t more = std::clamp(done, 1u, most_samples_in_a_pass);
+    const std::uint32_t more = std::clamp(done, 1u, max_samples_in_a_pass);
     const std::uint32_t last = done + std::min(more, samples - done);
     render_pass(render_tile, film, done, last, threads, stop, progress);
     done = last;

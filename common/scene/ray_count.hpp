@@ -34,7 +34,7 @@ inline constinit thread_local std::uint64_t rays_cast = 0;
 /// Who watches the rays of this thread; null if nobody does.
 inline constinit thread_local RayWatcher* ray_watcher = nullptr;
 
-LIGHTWALK_APART inline void ask_ray_watcher() {
+LIGHTWALK_NOINLINE inline void ask_ray_watcher() {
   if (ray_watcher) ray_watcher->look();
 }
 

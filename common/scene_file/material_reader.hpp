@@ -185,9 +185,9 @@ class MaterialReader {
             scene_.textures.emplace_back(load_texture(folder_, path));
         known = textures_.emplace(path, &texture).first;
         texels_ += texture.texels.size();
-        if (texels_ > most_texels) {
+        if (texels_ > max_texels) {
           throw FileError("the textures of a scene may have " +
-                          std::to_string(most_texels) +
+                          std::to_string(max_texels) +
                           " pixels in all, and these are more");
         }
       } catch (const std::exception& error) {
@@ -237,7 +237,7 @@ class MaterialReader {
   std::string folder_;
   Scene& scene_;
   /// 800 MB of textures.
-  static constexpr std::size_t most_texels = std::size_t{1} << 28;
+  static constexpr std::size_t max_texels = std::size_t{1} << 28;
 
   std::map<std::string, const Texture*> textures_;
   std::size_t texels_ = 0;

@@ -154,7 +154,7 @@ inline std::string scene_suggestion(const std::string& path) {
 
 /// More bytes than any scene has: two million triangles. A wrong file must
 /// not fill the memory.
-inline constexpr std::uintmax_t most_scene_bytes = 1 << 28;
+inline constexpr std::uintmax_t max_scene_bytes = 1 << 28;
 
 /// The bytes of a scene file. Folders and devices are refused.
 inline std::string read_scene_text(const std::string& path) {
@@ -170,9 +170,9 @@ inline std::string read_scene_text(const std::string& path) {
   if (fs::is_directory(status)) fail("is a folder, not a scene file");
   if (!fs::is_regular_file(status)) fail("is not a regular file");
   const std::uintmax_t size = fs::file_size(file_path(path), error);
-  if (!error && size > most_scene_bytes) fail("is larger than 256 MB");
+  if (!error && size > max_scene_bytes) fail("is larger than 256 MB");
   try {
-    return read_file(path, most_scene_bytes);
+    return read_file(path, max_scene_bytes);
   } catch (const FileError&) {
     fail("cannot be read");
   }

@@ -437,7 +437,7 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 // #region counted-once
 /// Whether `direct_light`, added at the surface before, has this emission in
 /// it already.
-inline bool is_counted(const Surface& surface, bool direct_light_added) {
+inline bool already_counted(const Surface& surface, bool direct_light_added) {
   // #region exercise 2.5: counted once
   // #stub return false;
   return direct_light_added && surface.hit.light != nullptr;
@@ -493,7 +493,7 @@ class PathTracer {
       // #stub if (bounce == max_bounces_ || direct_light_added) return sum;
       // An emitter ends the path, and counts if it has not been counted.
       if (surface.material.emits()) {
-        if (!is_counted(surface, direct_light_added)) {
+        if (!already_counted(surface, direct_light_added)) {
           sum += throughput * emitted(surface);
         }
         return sum;

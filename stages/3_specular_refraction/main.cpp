@@ -9,5 +9,5 @@ int main(int argc, char** argv) {
        .description = "Path tracing, stage 3: perfect mirrors and glass",
        .syllabus = lightwalk::syllabus(3),
        .default_bounces = 8,
-       .most_bounces = lightwalk::stage3::most_bounces});
+       .bounce_limit = lightwalk::stage3::bounce_limit});
 }

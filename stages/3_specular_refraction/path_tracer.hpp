@@ -24,8 +24,8 @@ namespace lightwalk::stage3 {
 
 using stage1::BsdfSample;
 using stage1::emitted;
+using stage2::already_counted;
 using stage2::direct_light;
-using stage2::is_counted;
 
 // ## A mirror is the limit of a thin cone
 //
@@ -394,7 +394,7 @@ struct Branch {
 };
 
 /// No path gets more bounces than this, whatever is asked for.
-inline constexpr int most_bounces = 64;
+inline constexpr int bounce_limit = 64;
 // #endregion branch
 
 // What does the tree cost? Let all surfaces have two lobes, and count with
@@ -413,7 +413,7 @@ inline constexpr int most_bounces = 64;
 // ![](tree-counts)
 // So with two lobes the bound must be low, 8 or less. Mirrors alone have one
 // ray per bounce and no such trouble. For them you can ask for a bound of up
-// to 64, `most_bounces`. It cuts off little: with $k_s = 0.9$ only
+// to 64, `bounce_limit`. It cuts off little: with $k_s = 0.9$ only
 // $0.9^{64} = 0.0012$ of the light is still on its way.
 //
 // ## The path
@@ -430,7 +430,7 @@ class PathTracer {
  public:
   PathTracer(const Scene& scene, const RenderSettings& settings)
       : scene_(scene),
-        max_bounces_(std::min(settings.max_bounces, most_bounces)),
+        max_bounces_(std::min(settings.max_bounces, bounce_limit)),
         sampling_(settings.sampling) {}
 
   /// Radiance that comes back along the ray, as one tree of paths sees it.
@@ -451,7 +451,7 @@ class PathTracer {
 
     // An emitter ends the path, and counts if it has not been counted.
     if (surface.material.emits()) {
-      if (!is_counted(surface, path.direct_light_added)) {
+      if (!already_counted(surface, path.direct_light_added)) {
         sum += path.throughput * emitted(surface);
       }
       return;

@@ -17,8 +17,8 @@ namespace lightwalk::stage4 {
 
 using stage1::BsdfSample;
 using stage1::emitted;
+using stage2::already_counted;
 using stage2::direct_light;
-using stage2::is_counted;
 using stage3::Lobe;
 using stage3::sample;
 
@@ -357,7 +357,7 @@ class PathTracer {
 
       // An emitter ends the path, and counts if it has not been counted.
       if (surface.material.emits()) {
-        if (!is_counted(surface, direct_light_added)) {
+        if (!already_counted(surface, direct_light_added)) {
           sum += throughput * emitted(surface);
         }
         return sum;

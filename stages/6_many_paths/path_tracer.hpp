@@ -56,11 +56,11 @@ namespace lightwalk::stage6 {
 // each processor. `rows/row.hpp` gives them signs: `+`, `*`, `<`.
 //
 // Four words are for the compiler alone, and you may skip them. `HWY_INLINE`
-// and `LIGHTWALK_IN_ONE_PIECE` put a function into its caller,
-// `LIGHTWALK_APART` keeps it out, and `HWY_ATTR` says for which instructions
-// it is compiled. `LIGHTWALK_ROWS` is defined where Highway is installed and
-// the processor has the instructions that rows need. Elsewhere the end of
-// this file makes stage 6 the same as stage 5.
+// and `LIGHTWALK_FLATTEN` put a function into its caller,
+// `LIGHTWALK_NOINLINE` keeps it out, and `HWY_ATTR` says for which
+// instructions it is compiled. `LIGHTWALK_ROWS` is defined where Highway is
+// installed and the processor has the instructions that rows need. Elsewhere
+// the end of this file makes stage 6 the same as stage 5.
 
 // #region formulas
 HWY_INLINE Vec3s sample_uniform_hemisphere(const Vec3s& normal,
@@ -190,9 +190,9 @@ struct SceneRows {
       : scene(scene_), shapes(scene_), materials(shapes.materials()) {}
 };
 
-LIGHTWALK_APART inline void vary(Materials& m, const SceneRows& rows,
-                                 const Hits& hits, const Vec3s& wo,
-                                 const Mask& varies) {
+LIGHTWALK_NOINLINE inline void vary(Materials& m, const SceneRows& rows,
+                                    const Hits& hits, const Vec3s& wo,
+                                    const Mask& varies) {
   for_each_lane(varies, [&](int lane) {
     const Hit hit = rows.shapes.hit(hits, lane);
     const auto set = [&](Vec3s& k, const VaryingCoefficient* pattern) {
@@ -484,8 +484,7 @@ class PathTracer {
 
 /// Takes the paths that are `on` to the next surface, and beyond it.
 /// Returns those that have not ended.
-LIGHTWALK_IN_ONE_PIECE inline Mask PathTracer::step(Paths& path,
-                                                    Mask on) const {
+LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
   // Find the next surface.
   count_rays(count(on));
   const Hits hit = scene_.shapes.nearest_hits(path.ray, on);
@@ -575,7 +574,7 @@ LIGHTWALK_IN_ONE_PIECE inline Mask PathTracer::step(Paths& path,
 inline void PathTracer::begin(Paths& path, const Mask& fresh) const {
   const Vec3s black(Vec3(0)), white(Vec3(1)), eye(scene_.scene.camera.origin);
   path.ray.origin = select(fresh, eye, path.ray.origin);
-  path.ray.leaves = select(fresh, no_slot, path.ray.leaves);
+  path.ray.origin_slot = select(fresh, no_slot, path.ray.origin_slot);
   path.throughput = select(fresh, white, path.throughput);
   path.sum = select(fresh, black, path.sum);
   path.bounce = select(fresh, 0, path.bounce);
@@ -589,7 +588,7 @@ inline void PathTracer::render_tile(const Tile& tile, Film& film,
       std::make_unique_for_overwrite<Vec3[]>(samples.size());
   std::array<std::size_t, std::size_t{paths_at_once}> sample_in{};
   Paths path{};
-  Mask on = nobody();
+  Mask on = no_lanes();
   while (!stop.load(std::memory_order_relaxed)) {
     // Begin a path in each lane that has none.
     unsigned begun = 0;

@@ -76,7 +76,7 @@ TEST_CASE("a tree that is cut as badly as can be has room to be walked") {
   const BoundingVolumeHierarchy tree(spheres, order);
   const int lowest = even_levels(spheres.size());
   CHECK(tree.levels() > 2 * lowest);
-  CHECK(tree.levels() <= BoundingVolumeHierarchy::most_levels);
+  CHECK(tree.levels() <= BoundingVolumeHierarchy::max_levels);
 
   Geometry plain, prepared;
   for (const Sphere& one : spheres) {

@@ -68,13 +68,13 @@ def last_number(pattern, text):
 
 def run(name, seconds, temporary):
     """Runs a harness; returns a line about it, and what it has found or None."""
-    most_bytes, *options = HARNESSES[name]
+    max_bytes, *options = HARNESSES[name]
     program = FOLDER / f"fuzz_{name}"
     options += LIMITS
     log = FOLDER / f"{name}.log"
     with open(log, "wb") as output:
         done = subprocess.run(
-            [program, *prepare(name), *options, f"-max_len={most_bytes}"]
+            [program, *prepare(name), *options, f"-max_len={max_bytes}"]
             + [f"-max_total_time={seconds}", "-print_final_stats=1"]
             + [f"-artifact_prefix={FOLDER}/findings/{name}-"],
             stdin=subprocess.DEVNULL,

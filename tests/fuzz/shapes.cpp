@@ -110,7 +110,7 @@ void check_leaving(const Geometry& geometry, const Hit& hit, Vec3 direction,
     return;
   }
   // The far side, where the chord ends.
-  expect(again.has_value() == (ray.again > 0),
+  expect(again.has_value() == (ray.self_hit_distance > 0),
          "a ray into a sphere meets its far side");
   if (again) {
     check_hit(ray, *again, scene_size);

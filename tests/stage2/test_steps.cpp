@@ -68,8 +68,8 @@ bool counted(const std::string& shape, bool direct_light_added) {
   const Vec3 ahead(0, 0, 1);
   const std::optional<Hit> hit = scene.nearest_hit({Vec3(0), ahead});
   REQUIRE(hit.has_value());
-  return stage2::is_counted({*hit, *hit->material, -ahead},
-                            direct_light_added);
+  return stage2::already_counted({*hit, *hit->material, -ahead},
+                                 direct_light_added);
 }
 
 constexpr const char* ball =

@@ -161,8 +161,7 @@ bool check_mean(const std::string& what, const Pixel& pixel, int channel,
                          : std::sqrt(pixel.variance(channel) / pixel.samples);
   const double size = std::abs(expected);
   if (pixel.samples > 0 && pixel.dropped == 0 &&
-      std::abs(mean - expected) <=
-          most_deviations * sigma + rounding * size) {
+      std::abs(mean - expected) <= max_deviations * sigma + rounding * size) {
     return true;
   }
   std::string words =

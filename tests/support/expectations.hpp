@@ -16,7 +16,7 @@ namespace lightwalk::tests {
 
 /// A mean of a right program is farther off than so many of its standard
 /// deviations once in 92,000 times.
-inline constexpr double most_deviations = 4.4;
+inline constexpr double max_deviations = 4.4;
 
 /// A line of a test: by default, of the one that calls.
 struct SourceLine {

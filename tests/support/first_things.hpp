@@ -54,7 +54,7 @@ void check_light_is_kept_on_leaving() {
   const double noise =
       std::sqrt((closed.variance(0) + open.variance(0)) / 2000);
   if (std::abs(closed.mean[0] - open.mean[0]) <=
-      most_deviations * noise + 1e-4 * closed.mean[0]) {
+      max_deviations * noise + 1e-4 * closed.mean[0]) {
     return;
   }
   FAIL_CHECK("a floor under a light has radiance "

@@ -38,7 +38,7 @@ std::string explain(int stage, const Golden& golden,
 
 /// From here on a picture has so much noise that nobody can say whether it is
 /// right: as a variance, over the golden's.
-inline constexpr double most_noise = 100;
+inline constexpr double max_noise = 100;
 
 /// Hard checks of a picture, before any statistics. Empty where it passes.
 std::string broken_outright(const RenderResult& result);
@@ -54,7 +54,7 @@ void check_golden(int stage, const std::string& name) {
       rerender, samples, golden.settings.seed, golden.image);
   const std::string broken = broken_outright(comparison.test);
   const double noise = variance_ratio(comparison.test, golden.image);
-  const bool same = broken.empty() && comparison.same() && noise < most_noise;
+  const bool same = broken.empty() && comparison.same() && noise < max_noise;
   if (!same) {
     const std::string why =
         !broken.empty() ? broken

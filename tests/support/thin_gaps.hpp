@@ -81,7 +81,7 @@ std::string rays_that_see_something(const ThinGaps& things, int rays) {
     const Pixel pixel = estimate(tracer, ray, 2000);
     const double sigma = std::sqrt(pixel.variance(0) / pixel.samples);
     if (pixel.dropped > 0 ||
-        !(std::abs(pixel.mean[0] - 1) <= most_deviations * sigma + 1e-5)) {
+        !(std::abs(pixel.mean[0] - 1) <= max_deviations * sigma + 1e-5)) {
       return "mean " + text_of(pixel.mean[0]) + " +- " + text_of(sigma) +
              ", expected 1: " + factor_in_words(pixel.mean[0], sigma) +
              ", from " + text_of(ray.origin) + " along " +

@@ -38,7 +38,7 @@ def main():
         one, many = (statistics.median(times) for times in zip(*runs))
         print(f"stage 6 with {names}: stage 5 takes {one / many:.1f} times as long")
         if one / many < BARS.get(names, 0):
-            print(f"  That is less than {BARS[names]}: is LIGHTWALK_IN_ONE_PIECE still at its step?")
+            print(f"  That is less than {BARS[names]}: is LIGHTWALK_FLATTEN still at its step?")
 
 
 if __name__ == "__main__":

@@ -93,7 +93,7 @@ def main():
     parser.add_argument("--chart", type=pathlib.Path)
     parser.add_argument("--most-samples", default=64, type=int)
     options = parser.parse_args()
-    counts = [1 << i for i in range(2, options.most_samples.bit_length(), 2)]
+    counts = [1 << i for i in range(2, options.max_samples.bit_length(), 2)]
     curves = []
     print("| question | scene | estimator | variance of a sample | us per sample | efficiency |")
     print("|---|---|---|---|---|---|")

@@ -9,11 +9,11 @@
 
 namespace lightwalk {
 
-/// A Ray in each lane. `leaves` is a line of the ShapeTable, or no_slot.
+/// A Ray in each lane. `origin_slot` is a line of the ShapeTable, or no_slot.
 struct Rays {
   Vec3s origin, direction;
-  Ints leaves{no_slot};
-  Floats again{0.0f};
+  Ints origin_slot{no_slot};
+  Floats self_hit_distance{0.0f};
 };
 
 /// What the ray of each lane meets: a Hit each.

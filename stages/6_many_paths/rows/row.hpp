@@ -244,7 +244,7 @@ HWY_INLINE Mask mask_of(unsigned set) {
 HWY_INLINE bool any(const Mask& mask) {
   return lanes_of(mask) != 0;
 }
-HWY_INLINE Mask nobody() {
+HWY_INLINE Mask no_lanes() {
   return Floats(0.0f) != Floats(0.0f);
 }
 HWY_INLINE unsigned count(const Mask& mask) {

@@ -64,7 +64,7 @@ class SampleQueue {
       advance();
     }
     random_ = Randoms(seed_, pixel, sample);
-    const Vec2s u = random_.uniform_2d(!nobody());
+    const Vec2s u = random_.uniform_2d(!no_lanes());
     directions_ = camera_.direction<Vec3s>(column + u.x, row + u.y);
   }
 

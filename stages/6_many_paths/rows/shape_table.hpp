@@ -86,17 +86,18 @@ class ShapeTable {
     return hit;
   }
   Ray ray(const Rays& rays, int lane) const {
-    const std::int32_t line = rays.leaves[lane];
+    const std::int32_t line = rays.origin_slot[lane];
     return {rays.origin[lane], rays.direction[lane],
             line == no_slot ? no_slot : hits_[index(line)].slot,
-            rays.again[lane]};
+            rays.self_hit_distance[lane]};
   }
   void set_ray(Rays& rays, int lane, const Ray& ray) const {
     rays.origin.set(lane, ray.origin);
     rays.direction.set(lane, ray.direction);
-    rays.leaves.set(
-        lane, ray.leaves == no_slot ? no_slot : lines_[index(ray.leaves)]);
-    rays.again.set(lane, ray.again);
+    rays.origin_slot.set(lane, ray.origin_slot == no_slot
+                                   ? no_slot
+                                   : lines_[index(ray.origin_slot)]);
+    rays.self_hit_distance.set(lane, ray.self_hit_distance);
   }
 
  private:
@@ -107,21 +108,21 @@ class ShapeTable {
   // ## The table
 
   void add(const Plane& plane) {
-    planes_.push_back(form_of(plane));
+    planes_.push_back(intersector_of(plane));
     add_line(plane.normal, plane.distance, Vec3(0));
     ++first_sphere_, ++first_flat_;
   }
   void add(const Sphere& sphere) {
-    spheres_.push_back(form_of(sphere));
+    spheres_.push_back(intersector_of(sphere));
     add_line(sphere.center, sphere.radius, Vec3(0));
     ++first_flat_;
   }
   void add(const Rectangle& rectangle) {
-    rectangles_.push_back(form_of(rectangle));
+    rectangles_.push_back(intersector_of(rectangle));
     add_line(rectangle.normal, 0, rectangle.corner);
   }
   void add(const Triangle& triangle) {
-    triangles_.push_back(form_of(triangle));
+    triangles_.push_back(intersector_of(triangle));
     add_line(triangle.normal, 0, triangle.corner);
   }
   void add_line(const Vec3& vector, float size, const Vec3& corner) {
@@ -151,8 +152,8 @@ class ShapeTable {
   template <class Form>
   static HWY_INLINE Floats distances(const Form& shape, std::int32_t line,
                                      const Rays& rays) {
-    const Mask is_left = rays.leaves == line;
-    return select(is_left, rays.again, shape.intersect(rays));
+    const Mask is_left = rays.origin_slot == line;
+    return select(is_left, rays.self_hit_distance, shape.intersect(rays));
   }
 
   // #region together
@@ -177,9 +178,9 @@ class ShapeTable {
   }
   // #endregion together
 
-  LIGHTWALK_APART First search_one_by_one(const Rays& rays,
-                                          const Floats& limit,
-                                          const Mask& wanted) const {
+  LIGHTWALK_NOINLINE First search_one_by_one(const Rays& rays,
+                                             const Floats& limit,
+                                             const Mask& wanted) const {
     First first{limit};
     for_each_lane(wanted, [&](int lane) {
       const float end = limit[lane];
@@ -194,7 +195,8 @@ class ShapeTable {
   // ## The hit
   //
   // Its place is worked out in double precision, as for one ray: see
-  // `place_hit` of each shape. A sphere's line has its center for a vector.
+  // `snap_to_surface` of each shape. A sphere's line has its center for a
+  // vector.
 
   // #region complete
   HWY_INLINE Hits complete(const Rays& rays, const First& first) const {
@@ -235,7 +237,7 @@ class ShapeTable {
       from_corner = x - to_double(corner_.at(hits.line));
     }
     const Doubles height = dot(normal, from_corner) + to_double(size);
-    hits.position = to_float(point_below(x, height, normal));
+    hits.position = to_float(project_onto_plane(x, height, normal));
   }
 
   HWY_INLINE void place_on_sphere(const Vec3s& center, const Floats& radius,
@@ -251,8 +253,8 @@ class ShapeTable {
   }
 
   const Geometry& geometry_;
-  std::vector<PlaneForm<Vec3, float>> planes_;
-  std::vector<SphereForm<Vec3, float>> spheres_;
+  std::vector<PlaneIntersector<Vec3, float>> planes_;
+  std::vector<SphereIntersector<Vec3, float>> spheres_;
   std::vector<FlatForm<Rectangle, Vec3, float>> rectangles_;
   std::vector<FlatForm<Triangle, Vec3, float>> triangles_;
   std::int32_t first_sphere_ = 0, first_flat_ = 0;
