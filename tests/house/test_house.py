@@ -70,6 +70,15 @@ class House(unittest.TestCase):
         back = [f"{a} -> {b}" for a, b in arrows() if a != b and rank.get(a, -1) <= rank.get(b, 99)]
         self.assertEqual(back, [])
 
+    def test_headers_fit_on_pages(self):
+        """As CONTRIBUTING.md says: lines of a header, and columns of a line."""
+        for path in [*ROOT.glob("common/*/*.hpp"), *ROOT.glob("stages/**/*.hpp")]:
+            with self.subTest(path=str(path.relative_to(ROOT))):
+                lines = path.read_text().splitlines()
+                limit = 700 if path.name == "path_tracer.hpp" else 300
+                self.assertLessEqual(len(lines), limit, "lines")
+                self.assertLessEqual(max(map(len, lines)), 78, "columns")
+
     def test_the_map_lists_the_core_as_it_is(self):
         tree.core_headers()
 
