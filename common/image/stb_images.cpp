@@ -88,28 +88,28 @@ Texture read_png_or_jpeg(const std::string& name) {
   const std::string bytes = read_file(name, max_bytes);
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
-  const auto fail = [] {
-    throw FileError(std::string("it is no PNG or JPEG that can be read: ") +
-                    stbi_failure_reason());
-  };
   Texture texture;
   int channels = 0;
   if (!stbi_info_from_memory(data, size, &texture.width, &texture.height,
                              &channels)) {
-    fail();
+    throw FileError("it is no PNG or JPEG that stb can read");
   }
   check_size(texture.width, texture.height, max_texels);
   // A PNG's pixel takes a bit, and deflate packs 1032 of them into one. A
   // JPEG has 64 pixels in a bit at best.
   const double bits = static_cast<double>(texture.width) * texture.height;
   check_packed(texture.width, texture.height, bits / 8, bytes.size(), 1032);
-  if (is_cut_off(bytes))
+  if (is_cut_off(bytes)) {
     throw FileError("it is cut off: a JPEG ends with FF D9");
+  }
   const std::unique_ptr<stbi_uc, void (*)(void*)> colors(
       stbi_load_from_memory(data, size, &texture.width, &texture.height,
                             &channels, 3),
       stbi_image_free);
-  if (!colors) fail();
+  if (!colors) {
+    throw FileError(std::string("it cannot be read: ") +
+                    stbi_failure_reason());
+  }
   texture.texels.resize(static_cast<std::size_t>(texture.width) *
                         static_cast<std::size_t>(texture.height));
   std::copy_n(colors.get(), 3 * texture.texels.size(),
