@@ -59,6 +59,31 @@ bool is_cut_off(const std::string& bytes) {
   return bytes.find("\xff\xd9", at) == std::string::npos;
 }
 
+/// Throws where a JPEG's table claims more than the 256 Huffman codes that
+/// there can be: stb 2.27 would write beyond its own table. We look wherever
+/// one may begin.
+void check_huffman_tables(const std::string& bytes) {
+  const auto byte = [&](std::size_t at) -> std::size_t {
+    return static_cast<std::uint8_t>(bytes[at]);
+  };
+  for (std::size_t begin = bytes.find("\xff\xc4");
+       begin != std::string::npos && begin + 4 <= bytes.size();
+       begin = bytes.find("\xff\xc4", begin + 1)) {
+    const std::size_t end =
+        begin + 2 + 256 * byte(begin + 2) + byte(begin + 3);
+    for (std::size_t at = begin + 4; at < end && at + 17 <= bytes.size();) {
+      if ((byte(at) & 0xec) != 0) break;  // no table
+      std::size_t codes = 0;
+      for (std::size_t i = 1; i <= 16; ++i) codes += byte(at + i);
+      if (codes > 256) {
+        throw FileError("it is damaged: a table of " + std::to_string(codes) +
+                        " Huffman codes, and 256 are the most");
+      }
+      at += 17 + codes;
+    }
+  }
+}
+
 }  // namespace
 
 std::string encode_png(const Image& image, float gamma) {
@@ -88,6 +113,7 @@ Texture read_png_or_jpeg(const std::string& name) {
   const std::string bytes = read_file(name, max_bytes);
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
+  if (bytes.starts_with("\xff\xd8")) check_huffman_tables(bytes);
   Texture texture;
   int channels = 0;
   if (!stbi_info_from_memory(data, size, &texture.width, &texture.height,

@@ -566,7 +566,7 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 // has the samples of the tile, and a `Film` adds up the pixels. If the user
 // ends the program, `stop` is set, and the tile is dropped. `samples_taken`
 // only counts, for the display. `mask_of` makes a mask of bits, bit 0 for
-// lane 0, and `nobody` is the mask without a lane.
+// lane 0, and `no_lanes` is the mask without a lane.
 
 // #region render-tile
 /// Makes a new path in each `fresh` lane, where SampleQueue::take has left a
