@@ -84,6 +84,16 @@ TEST_CASE("a JPEG is read, with what is behind its end marker or without") {
 }
 
 // With a thumbnail in its metadata, which has data and an end marker, too.
+// stb 2.27 would write beyond its own table.
+TEST_CASE("a JPEG that claims more than 256 Huffman codes is refused") {
+  const TemporaryFolder folder;
+  const std::string table = std::string("\xff\xc4\x02\x13\0", 5);
+  store(folder / "a.jpg", "\xff\xd8" + table + std::string(16, '\x20') +
+                              std::string(512, 'x') + "\xff\xd9");
+  CHECK(texture_complaint(folder, "a.jpg")
+            .find("a table of 512 Huffman codes") != std::string::npos);
+}
+
 TEST_CASE("a JPEG that ends early is refused, wherever it ends") {
   const TemporaryFolder folder;
   for (const char* name : {"/corners.jpg", "/corners_progressive.jpg"}) {
