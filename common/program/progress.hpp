@@ -6,7 +6,7 @@
 // few more bounces are the difference between a minute and a year: so a
 // warning says what is coming, as soon as the first samples show it.
 //
-// Hand-written: Debian has no package of `indicators`.
+// Hand-written: Debian has no package of indicators.
 
 #include <chrono>
 #include <condition_variable>

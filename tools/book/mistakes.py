@@ -9,7 +9,7 @@ import tomllib
 
 from docutils.nodes import make_id
 
-from tools.book.catalogue import diff_html, escaped, read_catalogue
+from tools.book.catalogue import diff_html, escaped
 from tools.book.page import fenced
 from tools.tree import ROOT, Failure, tests_filter
 
