@@ -65,7 +65,7 @@ def link_words(stage):
         line = (BUILD / f"CMakeFiles/stage{stage}.dir/link.txt").read_text()
     words = shlex.split(line.replace(r"\$ORIGIN", str(BUILD)))
     words = [word for word in words if f"stage{stage}.dir/" not in word]
-    return [str(BUILD / word) if word.endswith(".o") else word for word in words]
+    return [str(BUILD / word) if word.endswith((".o", ".a")) else word for word in words]
 
 
 def compile_words(stage):
