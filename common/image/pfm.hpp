@@ -139,7 +139,10 @@ inline RenderResult decode_pfm(std::string_view bytes) {
   if (!bytes.starts_with("PF\n#")) return result;
   result.variance = take_pfm(bytes, comments);
   result.info = info_of(comments);
-  check_variance_size(result);
+  const Image &mean = result.radiance, &variance = result.variance;
+  if (variance.width != mean.width || variance.height != mean.height) {
+    throw FileError("its variance has another size than its picture");
+  }
   return result;
 }
 

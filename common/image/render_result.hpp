@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 
-#include "common/files/file_error.hpp"
 #include "common/image/image.hpp"
 
 namespace lightwalk {
@@ -42,12 +41,6 @@ struct RenderResult {
   /// What its reader should say about a file that left a choice.
   std::string note = {};
 };
-
-inline void check_variance_size(const RenderResult& result) {
-  const Image &mean = result.radiance, &variance = result.variance;
-  if (variance.width == mean.width && variance.height == mean.height) return;
-  throw FileError("its variance has another size than its picture");
-}
 
 /// What image files say of a render: names, and numbers as text, since many
 /// formats have whole numbers of 32 bits alone.
