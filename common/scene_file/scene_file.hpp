@@ -182,6 +182,7 @@ inline std::string read_scene_text(const std::string& path) {
 /// Reads the scene of a TOML text; `path` is what error messages call it.
 inline LoadedScene parse_scene(std::string_view text, const std::string& path,
                                const Syllabus& syllabus) {
+  check_extent(text, path);
   toml::table root;
   try {
     root = toml::parse(text, path);

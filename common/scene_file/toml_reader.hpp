@@ -41,6 +41,73 @@ struct SceneError : std::runtime_error {
   fail_at(node.source(), message);
 }
 
+/// More values than any scene has, which take 2.5 GB: a value of two
+/// characters takes 80 bytes.
+inline constexpr std::size_t max_values = std::size_t{1} << 25;
+
+/// Refuses what would take too much of toml++, before it reads the text.
+/// Keys of very many parts, such as a.a.a. ...: each part is a table in a
+/// table, which toml++ leaves again by recursion, and its own bound on
+/// nesting does not count them. No key of a scene has more than three.
+/// And texts of very many values.
+inline void check_extent(std::string_view text, const std::string& path,
+                         std::size_t most = max_values) {
+  std::size_t values = 0;
+  constexpr int max_dots = 15;
+  int dots = 0;            // since the last character that is in no key
+  std::string_view quote;  // what ends the string that we are in
+  toml::source_position place{1, 1};
+  for (std::size_t i = 0; i < text.size();) {
+    const std::string_view rest = text.substr(i);
+    std::size_t length = 1;
+    if (!quote.empty()) {
+      if (rest.starts_with(quote)) {
+        length = quote.size();
+        // """a""""" ends in two quotes that belong to the string.
+        while (length >= 3 && length < 5 && length < rest.size() &&
+               rest[length] == quote[0]) {
+          ++length;
+        }
+        quote = {};
+      } else if (rest[0] == '\\' && quote[0] == '"') {
+        length = std::min<std::size_t>(2, rest.size());
+      } else if (rest[0] == '\n' && quote.size() == 1) {
+        quote = {};  // a syntax error, which is toml++'s to report
+      }
+    } else if (rest[0] == '#') {
+      length = std::min(rest.find('\n'), rest.size());
+    } else if (rest[0] == '"' || rest[0] == '\'') {
+      const bool triple =
+          rest.starts_with("\"\"\"") || rest.starts_with("'''");
+      length = triple ? 3 : 1;
+      quote = rest.substr(0, length);
+    } else if (rest[0] == '.') {
+      if (++dots > max_dots) {
+        fail_at({place, place, std::make_shared<const std::string>(path)},
+                "a key of more than 16 parts");
+      }
+    } else if (std::string_view("=,[]{}\n").find(rest[0]) !=
+               std::string_view::npos) {
+      dots = 0;
+      // One of these is before each value and each [table].
+      if (std::string_view("=,[{").find(rest[0]) != std::string_view::npos &&
+          ++values > most) {
+        fail_at({place, place, std::make_shared<const std::string>(path)},
+                "the file has more than " + std::to_string(most) + " values");
+      }
+    }
+    for (const char c : rest.substr(0, length)) {
+      if (c == '\n') {
+        ++place.line;
+        place.column = 1;
+      } else if ((c & '\xc0') != '\x80') {
+        ++place.column;
+      }
+    }
+    i += length;
+  }
+}
+
 /// What a TOML value is, in words.
 inline std::string kind_of(const toml::node& node) {
   switch (node.type()) {

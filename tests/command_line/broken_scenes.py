@@ -131,6 +131,25 @@ for name, line, scene in [
 ]:
     broken(name, scene, f"{line}:COLUMN: this is not TOML: ...", NOT_ASKED)
 
+# Each part of a key is a table in a table.
+PARTS = " a key of more than 16 parts"
+broken("a key of 5 million parts", b"a" + b".a" * 5_000_000 + b" = 1\n", "1:32:" + PARTS, NOT_ASKED)
+broken("a table of 5 million parts", b"[a" + b".a" * 5_000_000 + b"]\n", "1:33:" + PARTS, NOT_ASKED)
+broken("a key of 17 parts", 'a . "b.[=#" . ' + "'.'" + 14 * ".c" + " = 1\n", "1:44:" + PARTS, REFUSES)
+broken("a key of 16 parts", "a" + 15 * ".c" + " = 1\n", "1:1: unknown key 'a' in the scene", REFUSES)
+broken(
+    "long keys behind strings",
+    'a = """\n"#\\""""\nb = \'#\'\n' + "c" + 20 * ".c" + " = 1\n",
+    "4:32:" + PARTS,
+    REFUSES,
+)
+broken(
+    "long keys behind five quotes",
+    'a = { b = """""""", ' + "c" + 20 * ".c" + " = 1 }\n",
+    "1:52:" + PARTS,
+    REFUSES,
+)
+
 # Nothing, or next to nothing.
 broken("an empty file", "", "1:1: the scene needs 'camera'", REFUSES)
 broken("only comments", "# a scene\n# to be\n", "1:1: the scene needs 'camera'", REFUSES)

@@ -9,6 +9,7 @@
 
 #include "common/image/image_file.hpp"
 #include "common/image/texture_file.hpp"
+#include "common/scene_file/toml_reader.hpp"
 #include "tests/core/largest_allocation.hpp"
 #include "tests/core/picture.hpp"
 #include "tests/core/temporary_folder.hpp"
@@ -107,4 +108,19 @@ TEST_CASE("a texture's name with a NUL names no file") {
   CHECK_NOTHROW(load_texture(root, "a.png"));
   CHECK_THROWS_WITH_AS(load_texture(root, std::string("a.png\0.png", 10)),
                        "its name has a NUL character", FileError);
+}
+
+TEST_CASE("a scene file of too many values is refused before it is read") {
+  const auto complaint = [](std::string_view text) -> std::string {
+    try {
+      check_extent(text, "a.toml", 8);
+      return "";
+    } catch (const SceneError& error) {
+      return error.what();
+    }
+  };
+  CHECK(complaint("a = [1, 2, {b = 3}]\n") == "");
+  CHECK(complaint("a = '[[[[[[[[[[[[[[' # =======\n") == "");
+  CHECK(complaint("a = [1, 2, {b = 3, c = 4}]\n[d]\n") ==
+        "a.toml:2:1: the file has more than 8 values");
 }
