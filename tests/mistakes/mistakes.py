@@ -92,6 +92,18 @@ def check_catalogue(mistakes):
                 raise Failure(f'not_here.toml: number {one["number"]}: no core test is called "{guard}"')
 
 
+def link_command(target, folder):
+    """The words that link the target, without its own objects. They name files
+    as seen from the folder, where they are run."""
+    if (BUILD / "build.ninja").exists():
+        command = ["ninja", "-C", BUILD, "-t", "commands", target]
+        said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+        line = said.strip().splitlines()[-1].removeprefix(": && ").removesuffix(" && :")
+    else:
+        line = (folder / f"CMakeFiles/{target}.dir/link.txt").read_text()
+    return [word for word in shlex.split(line) if f"{target}.dir/" not in word]
+
+
 class Suite:
     """How the build compiles and links one stage's suite."""
 
@@ -110,31 +122,8 @@ class Suite:
         self.source = Path(found[0]["file"])
         self.compile = shlex.split(found[0]["command"])
         self.folder = Path(found[0]["directory"])
-        self.link = self.link_command()
+        self.link = link_command(self.target, self.folder)
         self.given_key = self.hash_given()
-
-    def link_command(self):
-        """The command that links the suite, as a list of words."""
-        if (BUILD / "build.ninja").exists():
-            lines = subprocess.run(
-                ["ninja", "-C", BUILD, "-t", "commands", self.target],
-                check=True,
-                capture_output=True,
-                text=True,
-            ).stdout
-            line = lines.strip().splitlines()[-1]
-            line = line.removeprefix(": && ").removesuffix(" && :")
-            folder = BUILD
-        else:
-            folder = BUILD / "tests"
-            line = (folder / "CMakeFiles" / f"{self.target}.dir" / "link.txt").read_text()
-        words = []
-        for word in shlex.split(line):
-            if f"{self.target}.dir/" in word:
-                continue  # the suite's own objects
-            path = folder / word
-            words.append(str(path) if word.endswith(".o") else word)
-        return words
 
     def hash_given(self):
         """Of all that a mistake does not change, but for the suite itself."""

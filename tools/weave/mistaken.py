@@ -21,7 +21,7 @@ import tempfile
 from pathlib import Path
 from types import SimpleNamespace
 
-from tests.mistakes.mistakes import CATALOGUE, changed_header, read_mistakes, run
+from tests.mistakes.mistakes import CATALOGUE, changed_header, link_command, read_mistakes, run
 from tools.tree import BUILD, ROOT, Failure, stage_headers
 
 # More in one program take longer than as many programs at the same time.
@@ -56,16 +56,8 @@ def in_namespace(stage, name, space):
 
 
 def link_words(stage):
-    """How the build links the stage, without its own object."""
-    if (BUILD / "build.ninja").exists():
-        command = ["ninja", "-C", BUILD, "-t", "commands", f"stage{stage}"]
-        said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-        line = said.strip().splitlines()[-1].removeprefix(": && ").removesuffix(" && :")
-    else:
-        line = (BUILD / f"CMakeFiles/stage{stage}.dir/link.txt").read_text()
-    words = shlex.split(line.replace(r"\$ORIGIN", str(BUILD)))
-    words = [word for word in words if f"stage{stage}.dir/" not in word]
-    return [str(BUILD / word) if word.endswith((".o", ".a")) else word for word in words]
+    """How the build links the stage, which looks for the image library there."""
+    return [word.replace(r"\$ORIGIN", str(BUILD)) for word in link_command(f"stage{stage}", BUILD)]
 
 
 def compile_words(stage):
@@ -164,7 +156,7 @@ def build_together(stage, names):
         run([*launcher(), *words], f"{what} does not compile")
         words = link_words(stage)
         words[words.index("-o") + 1] = str(linked)
-        run([*words, str(target)], f"{what} does not link")
+        run([*words, str(target)], f"{what} does not link", BUILD)
         for name in names:
             place(stage, name).parent.mkdir(exist_ok=True)
             # A rename is whole or not at all, whoever builds the same.
