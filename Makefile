@@ -212,8 +212,7 @@ windows-tools: setup-windows build
 
 # The README's commands on new Debians, by debootstrap: an hour, as root. FRESH
 # names releases: FRESH=trixie.
-test-fresh:
-	@tools/setup.sh fresh
+test-fresh: setup-fresh
 	@set -f; python3 -m tests.fresh $$FRESH
 
 # Half an hour at first; later runs are faster. MUTANTS gives the program's

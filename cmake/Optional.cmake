@@ -6,14 +6,21 @@
 #
 #   WHERE: WHAT (REASON; COMMAND that gets it)
 #
-# WHERE is programs, tests, book, single-header or test-windows. Nothing is
-# listed that was switched off: -DLIGHTWALK_HIGHWAY=OFF is a wish.
+# WHERE is programs, tests, book or test-windows. Nothing is listed that was
+# switched off: -DLIGHTWALK_HIGHWAY=OFF is a wish.
 option(LIGHTWALK_HIGHWAY "Follow many paths at once where Highway is installed" ON)
 option(LIGHTWALK_OPENIMAGEIO "Use OpenImageIO where it is installed" ON)
 
 # watch(PATTERN...): a build runs CMake again when such a file comes or goes.
 function(watch)
   file(GLOB seen CONFIGURE_DEPENDS ${ARGN})
+endfunction()
+
+# watch_header(NAME [SUFFIX]): the same for a header below any prefix.
+function(watch_header name)
+  set(places ${CMAKE_PREFIX_PATH} ${CMAKE_SYSTEM_PREFIX_PATH})
+  list(TRANSFORM places APPEND "/include/${ARGN}/${name}")
+  watch(${places})
 endfunction()
 
 set(left_out)
@@ -26,10 +33,7 @@ endmacro()
 # find_headers(VARIABLE NAME [SUFFIX]): the folder that has the header NAME.
 # It is looked for again in each run of CMake, and each build watches for it.
 macro(find_headers variable name)
-  set(places ${CMAKE_PREFIX_PATH} ${CMAKE_SYSTEM_PREFIX_PATH})
-  list(TRANSFORM places APPEND "/include/${ARGN}")
-  list(TRANSFORM places APPEND "/${name}")
-  watch(${places})
+  watch_header(${name} ${ARGN})
   if(${variable} AND NOT EXISTS "${${variable}}/${name}")
     unset(${variable} CACHE)
   endif()
@@ -67,9 +71,7 @@ endif()
 
 # Images: OpenImageIO; Images.cmake builds on this.
 if(LIGHTWALK_OPENIMAGEIO)
-  set(places ${CMAKE_PREFIX_PATH} ${CMAKE_SYSTEM_PREFIX_PATH})
-  list(TRANSFORM places APPEND "/include/OpenImageIO/imageio.h")
-  watch(${places})
+  watch_header(OpenImageIO/imageio.h)
   # Debian's package of Imath warns of a file that it does not ship.
   set(CMAKE_MESSAGE_LOG_LEVEL ERROR)
   find_package(OpenImageIO CONFIG QUIET)
@@ -80,6 +82,7 @@ if(LIGHTWALK_OPENIMAGEIO)
 endif()
 
 # Google Benchmark: `make bench`.
+watch_header(benchmark/benchmark.h)
 find_package(benchmark CONFIG QUIET)
 if(LIGHTWALK_TESTS AND NOT benchmark_FOUND)
   leave_out(tests "the benchmarks" "Google Benchmark is missing")

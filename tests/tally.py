@@ -60,10 +60,7 @@ class Tally:
             elif not known:
                 reason = entry.find("skipped")
                 reason = "it did not run" if reason is None else reason.get("message", "")
-                if found := re.search(r"^skipped: (.*)", text, re.MULTILINE):
-                    reason = found[1]
-                else:
-                    self.skipped.append(f"{entry.get('name')}: {reason}")
+                self.skipped.append(f"{entry.get('name')}: {reason}")
 
     def add_tap(self, text):
         """What node has printed with --test-reporter=tap."""

@@ -1,13 +1,8 @@
 # What the book and the tests on other machines may lack. Included by
 # cmake/Optional.cmake, which says how.
 
-# A second compiler for the single headers.
-find_command(clang_command clang++)
-if(NOT clang_command)
-  leave_out(single-header "Clang" "clang++ is missing" compilers)
-endif()
-
 # The box that paints itself in the book: Clang with WASI's libraries.
+find_command(clang_command clang++)
 if(DEFINED ENV{WASM_CXX})
   set(wasm_command $ENV{WASM_CXX})
 else()
