@@ -23,6 +23,8 @@ async function figure(name) {
   const live = page.locator(`.figure.live-${name} .live`);
   const slider = (label) => live.locator(".live-controls").getByLabel(label);
   const says = () => live.locator(".live-says").innerText();
+  // In the middle of the window, where no click is in the way of the page's head or of a smooth scroll.
+  await live.evaluate((element) => element.scrollIntoView({ block: "center", behavior: "instant" }));
   return { page, live, slider, says };
 }
 
