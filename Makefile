@@ -1,15 +1,15 @@
-# The front door. `make` renders the lab's box with the newest stage;
-# `make help` lists what else there is.
+# `make` renders the lab's box with the newest stage; `make help` lists the
+# other targets.
 
-# Make runs nothing that a name says: what people type goes to programs by the
-# environment, unexpanded, and in recipes it is a shell variable in quotes.
+# Against injection: what users type goes to programs through the environment,
+# unexpanded, and recipes use it as a quoted shell variable.
 typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS STAGE OUT INTO \
   SOLUTIONS ORDERS FRESH SECONDS BUILD
 $(foreach name,$(typed),$(eval override $(name) := $$(value $(name))))
 export $(filter-out BUILD,$(typed))
 
 override BUILD := $(or $(BUILD),build)
-# It is a part of rules and of recipes.
+# Rules and recipes contain it.
 ifneq ($(words $(BUILD))$(strip $(foreach sign,; & | < > ( ) ` " ' $$ \,$(findstring $(sign),$(BUILD)))),1)
   $(error BUILD='$(BUILD)': a folder's name without blanks and signs of the shell is expected)
 endif
@@ -21,7 +21,7 @@ JOBS   ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 stages := $(sort $(foreach main,$(wildcard stages/[1-9]_*/main.cpp),\
             stage$(firstword $(subst _, ,$(notdir $(patsubst %/,%,$(dir $(main))))))))
 newest := $(lastword $(stages))
-# The lab's box as far as the newest stage can render it.
+# The lab's box, as the newest stage can render it.
 scene_stage1 := scenes/cornell_box_ceiling_diffuse.toml
 scene_stage2 := scenes/cornell_box_point_diffuse.toml
 scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
@@ -48,65 +48,65 @@ For the course
   make               render the lab's box with $(newest), the newest stage
   make $(firstword $(stages))        build one stage ($(stages))
   make test-$(firstword $(stages))   run the tests of one stage
-  make check         exercise by exercise, the first open one explained (STAGE=2)
+  make check         check each exercise, and explain the first open one (STAGE=2)
   make watch         the same at every save
   make hint          a hint for the exercise that make check explains
   make single-header each stage in one file: $(BUILD)/single/stageN.hpp
 
 To teach
-  make handout STAGE=3 OUT=folder    what students get: stage 3 open, nothing later
-                     (SOLUTIONS=none opens the stages before, too)
+  make handout STAGE=3 OUT=folder    a handout for students: stage 3 open, nothing later
+                     (SOLUTIONS=none opens the earlier stages, too)
   make handout STAGE=4 INTO=folder   the next stage, into a student's folder
-  make handouts      prove all handouts, from open to solved
+  make handouts      test all handouts, from open to solved
   make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml
                      render and compare two stages, images or programs
   make book          weave the book: $(BUILD)/book/index.html
   make slides        set the slides: $(BUILD)/slides/index.html
 
 To work on it
-  make test          run every test of what renders
+  make test          run all tests but the site's
   make test-site     test the book and the slides, in a browser too
   make test-single-header, make test-windows, make test-fresh
-                     by other compilers, under wine, on new Debians
+                     with other compilers, under wine, on new Debian systems
   make mistakes      put known mistakes into the stages: what do the tests catch?
-  make mutants       make every small change to the stages: what do the tests notice?
+  make mutants       make every small change to the stages: what do the tests catch?
   make null-test     how often do the goldens reject a right program?
-  make fuzz          feed the readers with what nobody would write (SECONDS=60)
-  make goldens       remake the pictures that renders are compared with
-  make bench         measure what everything costs (BASE=old.json compares)
+  make fuzz          feed random input to the file readers (SECONDS=60)
+  make goldens       remake the golden images
+  make bench         measure the time of everything (BASE=old.json compares)
   make bench-peers   time stages 5 and 6 and Mitsuba 3 side by side
-  make measured      keep what was measured, for the book
-  make format        format the code (CHECK=1 only says where)
-  make setup         install what is missing (SETUP=print only says what)
+  make measured      store the measurements, for the book
+  make format        format the code (CHECK=1 only reports)
+  make setup         install what is missing (SETUP=print only prints it)
   make clean         delete $(BUILD)/
 
-BUILD=folder builds elsewhere, CMAKE_ARGS="-DCMAKE_CXX_COMPILER=clang++" tells
-CMake more, JOBS=1 compiles one file at a time.
+BUILD=folder builds elsewhere, CMAKE_ARGS="-DCMAKE_CXX_COMPILER=clang++" is
+passed to CMake, JOBS=1 compiles one file at a time.
 endef
 export help_text
 help:
 	@echo "$$help_text"
 
-# Costs milliseconds where nothing is missing. Where only this is asked for,
-# SETUP=print has done what it should.
+# Takes milliseconds if nothing is missing. SETUP=print exits with 1 if something
+# is: ignored if setup is the only goal.
 printed := $(if $(MAKECMDGOALS),$(if $(filter-out setup setup-%,$(MAKECMDGOALS)),,|| [ "$$SETUP" = print ]))
 setup:
 	@tools/setup.sh $(printed)
 
-# What other targets need besides.
+# What other targets need in addition.
 setups := $(addprefix setup-,site slides fuzz bench peers windows compilers fresh all)
 .PHONY: $(setups)
 $(setups): setup-%: setup
 	@tools/setup.sh $* $(printed)
 
-# What CMake has configured; CMake itself sees to later changes.
+# The first configuration; CMake itself notices later changes.
 $(BUILD)/CMakeCache.txt: | setup
 	@cmake -S . -B $(BUILD) $(if $(shell command -v ninja),-G Ninja) \
 	  -DCMAKE_BUILD_TYPE=Release $(CMAKE_ARGS) > $(BUILD).log 2>&1 \
 	  || { cat $(BUILD).log; rm -f $@ $(BUILD).log; exit 1; }
 	@rm -f $(BUILD).log
 
-# $(compile) TARGETS, and nothing said where there is nothing to do.
+# $(compile) TARGETS: silent if there is nothing to do.
 compile = tools/compile.sh $(BUILD) -j $(JOBS) --target
 
 build: setup $(BUILD)/CMakeCache.txt
@@ -122,44 +122,44 @@ test: setup $(BUILD)/CMakeCache.txt
 	@$(compile) all
 	@python3 -m tests.run -j $(JOBS)
 
-# The header by itself first: what the compiler says about it comes once.
+# The header by itself first, so that the compiler reports its errors once.
 $(addprefix test-,$(stages)): test-%: setup $(BUILD)/CMakeCache.txt
 	@$(compile) $*_header
 	@$(compile) $*_tests
 	@python3 -B -m tests.runner $(BUILD)/$*_tests
 
-# The exercises of a stage, in the chapter's order, and the first that is not
-# done explained. STAGE is the newest one if it is not given.
+# Checks the exercises of a stage, in the chapter's order, and explains the first
+# that is not done. The default of STAGE is the newest stage.
 check watch hint: setup $(BUILD)/CMakeCache.txt
 	@set -f; python3 -m tools.exercises.check $$STAGE $(if $(filter-out check,$@),--$@)
 
 # STAGE=3 OUT=folder, or STAGE=4 INTO=folder. SOLUTIONS=none opens the
-# exercises of the stages before, too.
+# exercises of the earlier stages, too.
 handout: setup
 	@python3 -m tools.handout.handout "$$STAGE" $(if $(OUT),--out "$$OUT") \
 	  $(if $(INTO),--into "$$INTO") $(if $(SOLUTIONS),--solutions "$$SOLUTIONS")
 
-# Five to ten minutes; ORDERS=1 puts the solutions in in the chapter's order only.
+# Five to ten minutes; ORDERS=1 inserts the solutions in the chapter's order only.
 handouts: setup
 	@python3 -m tools.handout.prove --orders "$${ORDERS:-2}"
 
 # make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml OPTIONS="--spp 64": A and
-# B may be stages, images, or programs. Exit code 1 where they differ.
+# B may be stages, images, or programs. Exit code 1 if they differ.
 diff: build
 	@$(compile) stage-diff
 	@BUILD=$(BUILD) compare/diff.sh
 
-# Each stage with its core in one header that needs GLM alone.
+# Each stage with its core in one header that needs only GLM.
 single-header:
 	@python3 -m tools.handout.single_header
 
-# All of them, by each compiler that is here, beside what the tree paints:
-# minutes. `make test` takes the newest one.
+# Compiles each with each installed compiler, and compares its picture with the
+# tree's: minutes. `make test` does only the newest stage.
 test-single-header: setup-compilers build
 	@LIGHTWALK_EVERY_STAGE=1 python3 -B -m tests.scripts \
 	  tests/command_line/test_single_header.py -k EveryStage
 
-# Remakes the images that the stages are held to: minutes.
+# Remakes the golden images: minutes.
 goldens: build
 	@python3 -m tests.golden.make_goldens
 
@@ -168,14 +168,14 @@ null-test: build
 	@$(compile) null_test
 	@$(BUILD)/null_test "$${SEEDS:-200}"
 
-# Takes minutes at first; later runs repeat only what has changed. MISTAKES
-# names a few of them, or gives the program's options: MISTAKES="--stage 2".
+# Takes minutes at first; later runs repeat only what has changed. MISTAKES is a
+# list of mistakes, or options of the program: MISTAKES="--stage 2".
 mistakes: setup $(BUILD)/CMakeCache.txt
 	@$(compile) all
 	@set -f; python3 -m tests.mistakes.mistakes -j $(JOBS) $$MISTAKES
 
-# Feeds readers and geometry with what nobody would write, for SECONDS in all;
-# HARNESS names some of tests/fuzz/. Built by Clang, in a folder of its own;
+# Feeds random input to the file readers and the geometry, for SECONDS in all;
+# HARNESS names some of tests/fuzz/. Built by Clang, in its own folder;
 # FUZZ_CXX names another compiler.
 fuzz_cxx = $(or $(FUZZ_CXX),$(firstword $(wildcard $(addsuffix \
   /opt/llvm/bin/clang++,/opt/homebrew /usr/local)) clang++))
@@ -194,8 +194,8 @@ fuzz: setup-fuzz $(BUILD)/fuzz/CMakeCache.txt
 	  || { cat $(BUILD)/fuzz/build.log; exit 1; }
 	@set -f; python3 -m tests.fuzz.fuzz -j $(JOBS) --seconds "$${FUZZ_SECONDS:-60}" $$HARNESS
 
-# Programs for Windows with this machine's registers, and what they do under
-# wine: minutes.
+# Compiles programs for Windows with this machine's registers, and tests them
+# under wine: minutes.
 test-windows: setup-windows build windows-tools
 	@$(compile) stage-diff
 	@cmake -S . -B $(BUILD)/windows -DLIGHTWALK_NATIVE=ON \
@@ -210,19 +210,19 @@ test-windows: setup-windows build windows-tools
 windows-tools: setup-windows build
 	@python3 -m tests.windows.tools
 
-# The README's commands on new Debians, by debootstrap: an hour, as root. FRESH
-# names releases: FRESH=trixie.
+# Runs the README's commands on new Debian systems, made by debootstrap: an hour,
+# as root. FRESH names releases: FRESH=trixie.
 test-fresh: setup-fresh
 	@set -f; python3 -m tests.fresh $$FRESH
 
-# Half an hour at first; later runs are faster. MUTANTS gives the program's
-# options: MUTANTS="--stage 2".
+# Half an hour at first; later runs are faster. MUTANTS has options of the
+# program: MUTANTS="--stage 2".
 mutants: setup $(BUILD)/CMakeCache.txt $(BUILD)/mutants-venv/made
 	@$(compile) test_support test_main image_module $(addsuffix _tests,$(stages))
 	@set -f; $(BUILD)/mutants-venv/bin/python -m tests.mutants.mutants -j $(JOBS) $$MUTANTS
 
-# Repetitions, since times scatter: BASE names an earlier bench.json, which
-# Google Benchmark's own compare.py sets beside this one.
+# With repetitions, since times vary. BASE names an earlier bench.json, which
+# Google Benchmark's compare.py compares with this one.
 BENCH_ARGS ?= --benchmark_repetitions=5 --benchmark_min_time=0.05
 bench: build
 	@$(compile) benchmarks
@@ -235,7 +235,7 @@ bench: build
 	@cat $(BUILD)/efficiency.md
 	@python3 -m tools.bench.bar
 
-# What comes from PyPI, each purpose in an environment of its own, with versions
+# Packages from PyPI, in a virtual environment for each purpose, with versions
 # and hashes: tools/setup/lock.sh writes them.
 $(BUILD)/%-venv/made: tools/setup/%.txt | setup
 	@rm -rf $(@D)
@@ -258,8 +258,8 @@ bench-compare: setup-bench $(BUILD)/bench-venv/made
 bench-peers: build setup-peers $(BUILD)/bench-venv/made
 	@$(BUILD)/bench-venv/bin/python -m tools.bench.peers $(addprefix --also ,$(ALSO)) | tee $(BUILD)/peers.md
 
-# What `make bench` and `make bench-peers` have measured, with the machine and
-# the date, into the folder that the book and the README quote.
+# Stores the results of `make bench` and `make bench-peers`, with the machine and
+# the date, in the folder that the book and the README quote.
 measured: $(BUILD)/bench.json $(BUILD)/peers.md
 	@python3 -m tools.bench.measured
 $(BUILD)/bench.json:
@@ -267,7 +267,7 @@ $(BUILD)/bench.json:
 $(BUILD)/peers.md:
 	@$(MAKE) --no-print-directory bench-peers
 
-# CHECK=1 only tells what is not formatted.
+# CHECK=1 only reports what is not formatted.
 format: $(BUILD)/format-venv/made
 	@git ls-files '*.hpp' '*.cpp' | xargs $(BUILD)/format-venv/bin/clang-format \
 	  $(if $(CHECK),--dry-run --Werror,-i)
