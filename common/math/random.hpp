@@ -10,10 +10,14 @@
 // Behind it is SplitMix64 (Steele, Lea, Flood: "Fast Splittable Pseudorandom
 // Number Generators", OOPSLA 2014): a counter that grows by an odd constant,
 // and a function that mixes the counter's bits until they look random. The
-// same mixing makes the key, so neighbouring pixels start far apart.
+// same mixing makes the key, so neighboring pixels start far apart: the hash
+// of one number is added to the next number, and the sum is hashed again. For
+// such nested hashes see Jarzynski and Olano, "Hash Functions for GPU
+// Rendering" (JCGT 9(3), 2020). No theorem says that sequences with different
+// keys are independent: tests/core/test_random.cpp tests it for neighbors.
 //
 // The standard library's distributions are not used: each library implements
-// them as it likes, and the same seed would paint different pictures.
+// them in its own way, so the same seed would paint different pictures.
 
 #include <cstdint>
 
@@ -26,7 +30,7 @@ class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample)
       : state_(key(seed, pixel, sample)) {}
-  /// Goes on where another sequence is.
+  /// Continues a sequence from its `state()`.
   explicit Random(std::uint64_t state) : state_(state) {}
   std::uint64_t state() const { return state_; }
 

@@ -3,10 +3,10 @@
 // # Sine and cosine
 //
 // Directions are drawn with an angle from anywhere in the circle. The
-// standard library's functions ask which part of the circle it is in, and a
-// processor must guess the answer in advance, which it often does wrong. Each
-// library also rounds the last bit as it likes. These two ask nothing, and
-// give the same bits everywhere.
+// standard library's functions branch on the part of the circle that the
+// angle is in, and the processor often mispredicts such a branch. Each
+// library also rounds the last bit in its own way. The two functions here
+// have no branch, and give the same bits everywhere.
 //
 // Sine and cosine are one wave. It has a piece, from $-\pi/2$ to $\pi/2$,
 // that is made of nothing but odd powers with quickly falling coefficients:
@@ -55,8 +55,8 @@ Number cosine(const Number& radians) {
   return sine_of_turns<Number>(abs(turns_to_half(radians)) - 0.25f);
 }
 
-/// Sine and cosine of an angle in radians, to 5e-7 from 0 to 2 pi. Beyond it
-/// they are as periodic as the angle is exact.
+/// Sine and cosine of an angle in radians, to 5e-7 from 0 to 2 pi. Outside
+/// that range the error grows with the rounding of the angle.
 inline float sin(float radians) {
   return sine(radians);
 }

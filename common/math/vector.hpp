@@ -25,7 +25,7 @@ using glm::dot;
 using glm::length;
 using glm::normalize;
 
-// Also of rows of numbers, in formulas that are written for both.
+// Rows of numbers have these functions too, for formulas that serve both.
 using std::abs;
 using std::copysign;
 using std::floor;
@@ -43,13 +43,13 @@ inline float max_component(const Vec3& v) {
   return std::max(v.x, std::max(v.y, v.z));
 }
 
-/// Each component without its sign. `glm::abs` would ask for the sign, and
-/// half of the guesses a processor makes at it are wrong.
+/// Each component without its sign. `glm::abs` would branch on the sign, and
+/// the processor mispredicts half of these branches.
 inline Vec3 absolute(const Vec3& v) {
   return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
 }
 
-/// The largest of the three components' sizes.
+/// The largest absolute value of the three components.
 inline float max_abs_component(const Vec3& v) {
   return max_component(absolute(v));
 }
@@ -59,8 +59,8 @@ inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Whether all channels are 0. What went wrong and is below 0, or not a
-/// number, is not black: it should be seen.
+/// Whether all channels are 0. A channel that is negative or not a number is
+/// an error, and is not black: it should be visible.
 inline bool is_black(const Vec3& color) {
   return color == Vec3(0);
 }

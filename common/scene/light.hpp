@@ -4,8 +4,9 @@
 //
 // Light comes from points, which no ray can hit, and from surfaces with an
 // emission `ke`. Rectangles and spheres that emit are also listed here, so
-// that a point on them can be chosen. A plane is infinite and has no such
-// choice; it is found by rays that happen to hit it, and so is a triangle.
+// that a point on them can be chosen. On an infinite plane no point can be
+// chosen. Emitting planes and triangles are found only by rays that happen to
+// hit them.
 
 #include <variant>
 
@@ -18,13 +19,13 @@ struct PointLight {
   Vec3 intensity;  ///< radiant intensity, W/sr
 };
 
-/// Gives `radiance` on the side of its normal, edge_u x edge_v.
+/// Emits `radiance` on the side of its normal, edge_u x edge_v.
 struct RectangleLight {
   Vec3 corner, edge_u, edge_v;
   Vec3 radiance;  ///< W/(m^2 sr)
 };
 
-/// Gives `radiance` outwards.
+/// Emits `radiance` outward.
 struct SphereLight {
   Vec3 center;
   float radius;

@@ -3,7 +3,7 @@
 // # Materials
 //
 // A material is four coefficients, each a color, as on the slide "Material
-// coefficients". What they mean for light, the stages say.
+// coefficients". The stages say what they mean for light.
 
 #include "common/math/vector.hpp"
 #include "common/scene/varying_coefficient.hpp"
@@ -16,9 +16,9 @@ struct Material {
   Vec3 kt{0};        ///< perfect refraction (transmittance), 0 to 1
   Vec3 ke{0};        ///< emitted radiance, W/(m^2 sr), on the normal's side
   float eta = 1.5f;  ///< index of refraction inside; outside is 1
-  bool fresnel = false;  ///< ks and kt are shared out by Fresnel's equations
+  bool fresnel = false;  ///< ks and kt are weighted by Fresnel's equations
 
-  /// Where a coefficient is not the same everywhere; null where it is.
+  /// The pattern of a coefficient that varies; null if it is constant.
   const VaryingCoefficient* varying_kd = nullptr;
   const VaryingCoefficient* varying_ks = nullptr;
   const VaryingCoefficient* varying_kt = nullptr;

@@ -2,10 +2,9 @@
 
 // # A path that is listened to
 //
-// Who doubts a pixel wants to see one of its paths. So the loops of the
-// stages say at each vertex where they are, and the scene says which rays it
-// was asked about. Where nobody listens, all of it is a glance at a null
-// pointer.
+// To debug a pixel, look at one of its paths. For this the loops of the
+// stages log each vertex, and the scene logs each ray. Without a listener
+// this costs one null check.
 
 #include <vector>
 
@@ -13,14 +12,14 @@
 
 namespace lightwalk {
 
-/// A ray towards a light, and whether it came there.
+/// A ray toward a light, and whether it reached the light.
 struct ShadowRay {
   Ray ray;
   float distance;  ///< to the light
   bool reached;
 };
 
-/// One vertex of a path, as the path tracer saw it when it came there.
+/// One vertex of a path, as the path tracer saw it on arrival.
 struct PathVertex {
   Hit hit;
   Material material;
@@ -30,16 +29,16 @@ struct PathVertex {
   std::vector<ShadowRay> shadow_rays;
 };
 
-/// What has been heard of one path.
+/// What has been logged of one path.
 struct PathLog {
   std::vector<Ray> rays;
   std::vector<PathVertex> vertices;
 };
 
-/// Who listens to the paths of this thread; null if nobody does.
+/// The log of this thread's paths; null if there is none.
 inline constinit thread_local PathLog* path_log = nullptr;
 
-/// While it lives, the paths of this thread are heard.
+/// While this object lives, the paths of this thread are logged.
 class PathListener {
  public:
   explicit PathListener(PathLog& log) { path_log = &log; }
@@ -48,8 +47,8 @@ class PathListener {
   PathListener& operator=(const PathListener&) = delete;
 };
 
-/// Says where the path is: `throughput` is what light from here on counts,
-/// `sum` what has been found before. Changes nothing.
+/// Logs where the path is: `throughput` is the weight of light that is found
+/// from here on, `sum` the radiance found before. Does not change the path.
 inline void log_vertex(const Surface& surface, const Vec3& throughput,
                        const Vec3& sum, int bounce) {
   if (!path_log) return;

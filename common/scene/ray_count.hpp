@@ -2,15 +2,15 @@
 
 // # Counting rays
 //
-// Rays are what a path tracer pays with, so every ray is counted. Each thread
-// counts its own: a counter shared by the threads would cost more than the
-// rays do.
+// The cost of a render is its number of rays, so every ray is counted. Each
+// thread counts its own: a counter shared by the threads would cost more than
+// the rays do.
 //
-// Every ray of every path tracer comes by here, so from here a render can be
-// watched. Whoever renders may leave a watcher with the thread, which is
-// asked every 256 rays, some ten thousand times a second. It may throw, and
-// the sample ends there, wherever it was: no loop over a path has to ask
-// whether it should go on. A ray pays for it with two instructions.
+// Every ray of every path tracer passes through here, so a render can be
+// watched here. A renderer may set a watcher for the thread, which is called
+// every 256 rays, some ten thousand times a second. The watcher may throw to
+// end the sample, wherever it is: no loop over a path has to check whether it
+// should go on. This costs two instructions per ray.
 
 #include <cstdint>
 
@@ -18,10 +18,10 @@
 
 namespace lightwalk {
 
-/// Looks after the rays of a thread.
+/// Watches the rays of a thread.
 class RayWatcher {
  public:
-  /// Called every 256 rays. Throws where no more rays are wanted.
+  /// Called every 256 rays. Throws to end the sample.
   virtual void look() = 0;
 
  protected:
@@ -31,7 +31,7 @@ class RayWatcher {
 /// Rays that this thread has cast so far, of both kinds.
 inline constinit thread_local std::uint64_t rays_cast = 0;
 
-/// Who watches the rays of this thread; null if nobody does.
+/// The watcher of this thread's rays; null if there is none.
 inline constinit thread_local RayWatcher* ray_watcher = nullptr;
 
 LIGHTWALK_NOINLINE inline void ask_ray_watcher() {
@@ -44,7 +44,7 @@ inline void count_ray() {
     ask_ray_watcher();
 }
 
-/// Counts some, at most 256.
+/// Counts several rays, at most 256.
 inline void count_rays(unsigned rays) {
   const std::uint64_t before = rays_cast;
   rays_cast += rays;

@@ -2,9 +2,9 @@
 
 // # The scene
 //
-// A camera, materials, shapes and lights. Shapes point to their materials
-// and lights, and materials to what varies in them, which therefore stay
-// where they are: a scene is moved, never copied.
+// A camera, materials, shapes and lights. Shapes point to their materials and
+// lights, and materials to their varying coefficients. So these must stay
+// where they are in memory: a scene is moved, never copied.
 
 #include <cassert>
 #include <deque>
@@ -24,16 +24,17 @@ namespace lightwalk {
 // ## Two surfaces in one place
 //
 // A lamp may be flush with the ceiling, and one slab of glass may lie on
-// another. Which of the two a ray meets first is then for rounding to say,
-// and it says something else for each ray. So rectangles and triangles that
-// shine are moved a little in front of where they are, and those of glass a
-// little behind: by two units in the last place of their largest coordinate.
-// A pane must not be thinner than both of its steps. Where a ray meets a lamp
-// is rounded like the length of the ray, too, and most rays come from about
-// as far as the camera is. So a lamp takes eight units of that way more.
+// another. Which of the two a ray meets first then depends on rounding, and
+// differs from ray to ray. So rectangles and triangles that emit light are
+// moved a little forward, and those of glass a little backward: by two ulps
+// (units in the last place) of their largest coordinate. A pane must be
+// thicker than the steps of its two faces. The point where a ray meets a lamp
+// is also rounded in proportion to the ray's length, and most rays come from
+// about as far as the camera is. So a lamp is moved by eight more ulps of its
+// distance to the camera.
 
 // #region set-apart
-/// How far a shape is moved from where it is, in a scene seen from `eye`.
+/// The vector by which a shape is moved, in a scene seen from `eye`.
 inline Vec3 step_apart(const FlatShape& flat, const Vec3& eye) {
   const Vec3 half = 0.5f * (absolute(flat.edge_u) + absolute(flat.edge_v));
   const Vec3 middle = flat.corner + 0.5f * (flat.edge_u + flat.edge_v);
@@ -64,7 +65,7 @@ struct Scene {
   Scene(Scene&&) = default;
   Scene& operator=(Scene&&) = default;
 
-  /// Keeps a material; the pointer is good as long as the scene.
+  /// Keeps a material; the pointer is valid as long as the scene lives.
   const Material* add(const Material& material) {
     return &materials.emplace_back(material);
   }
@@ -74,7 +75,7 @@ struct Scene {
       std::variant<PointLight, Plane, Sphere, Rectangle, Triangle>;
   void add(const Addition& one) { added_.push_back(one); }
 
-  /// Makes `geometry` and `lights` of what was added since the last call, as
+  /// Adds to `geometry` and `lights` what was added since the last call, as
   /// seen from where the camera is now. paint() calls it.
   void prepare() {
     for (const Addition& one : added_) {
@@ -85,11 +86,12 @@ struct Scene {
   }
 
   /// The first surface that the ray meets, if there is one. The ray's
-  /// direction is a unit vector.
+  /// direction must be a unit vector, and prepare() must have been called
+  /// after the last add().
   ///
   /// In a render it may throw `Stopped` (common/render/render_progress.hpp):
   /// one sample of a tree of paths can take longer than anybody waits, so
-  /// every 256 rays it asks whether the render is over. Let it pass.
+  /// every 256 rays it checks whether the render is over. Do not catch it.
   std::optional<Hit> nearest_hit(const Ray& ray) const {
     assert(added_.empty() && "a scene is prepared before rays meet it");
     count_ray();
@@ -97,8 +99,9 @@ struct Scene {
     return geometry.nearest_hit(ray);
   }
 
-  /// Whether the ray reaches the light: it meets nothing before `distance`
-  /// but the light itself. It may throw `Stopped`, too.
+  /// Whether the ray reaches the light: it meets nothing before `distance`,
+  /// in the scene's unit of length, but the light itself. Its conditions are
+  /// those of nearest_hit(), and it may throw `Stopped`, too.
   bool reaches(const Ray& ray, float distance, const Light& light) const {
     count_ray();
     const bool has_surface = !std::holds_alternative<PointLight>(light.form);

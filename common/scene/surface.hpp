@@ -5,12 +5,12 @@
 
 namespace lightwalk {
 
-/// Where a path is: a hit, as it is seen from where the path came from.
+/// Where a path is: a hit, as seen from where the path came from.
 struct Surface {
   const Hit& hit;
   const Material& material;  ///< with the coefficients that it has here
   Vec3 wo;                   ///< unit, back along the path
-  Vec3 normal;               ///< unit, the one of the two on the side of wo
+  Vec3 normal;               ///< unit, on the side of wo
 
   Surface(const Hit& hit_, const Material& material_, const Vec3& wo_)
       : hit(hit_),

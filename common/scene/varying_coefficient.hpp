@@ -1,7 +1,7 @@
 #pragma once
 
-// Coefficients that are not the same everywhere: what a scene file says of
-// them. What they are at a given point, a stage says.
+// Coefficients that are not the same everywhere, as a scene file describes
+// them. A stage evaluates them at a point.
 
 #include "common/image/texture.hpp"
 #include "common/math/vector.hpp"
@@ -12,14 +12,14 @@ enum class VaryingType {
   image,             ///< the texture, over uv
   checker,           ///< squares of `first` and `second` over uv
   position_checker,  ///< cubes of `first` and `second` over the position
-  schlick,           ///< from `first`, seen squarely, to `second`, at grazing
+  schlick,  ///< from `first` at normal incidence to `second` at grazing
 };
 
 /// One of kd, ks or kt, as a function of place or of viewing direction.
 struct VaryingCoefficient {
   VaryingType type;
   Vec3 first{0}, second{0};
-  float scale = 1;  ///< checks per unit
+  float scale = 1;  ///< checks per unit of uv or of length
   const Texture* texture = nullptr;
 };
 
