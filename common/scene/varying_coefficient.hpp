@@ -12,7 +12,7 @@ enum class VaryingType {
   image,             ///< the texture, over uv
   checker,           ///< squares of `first` and `second` over uv
   position_checker,  ///< cubes of `first` and `second` over the position
-  schlick,  ///< from `first` at normal incidence to `second` at grazing
+  schlick,           ///< `first` at normal incidence, `second` at grazing
 };
 
 /// One of kd, ks or kt, as a function of place or of viewing direction.
