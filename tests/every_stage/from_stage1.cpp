@@ -89,7 +89,8 @@ TEST_SUITE_END();
 
 TEST_SUITE_BEGIN("relations");
 
-TEST_CASE("the same bits for any number of threads, other noise for a seed") {
+TEST_CASE(
+    "the same bits for any number of threads, new noise for a new seed") {
   const std::string scenes[] = {
       "cornell_box_ceiling_diffuse", "cornell_box_lamp_diffuse",
       "cornell_box_ceiling", "cornell_box_point", "checkered_floor"};
@@ -131,7 +132,7 @@ TEST_SUITE_END();
 
 TEST_SUITE_BEGIN("relations" * doctest::skip(this_stage == 6));
 
-TEST_CASE("a told path is the sum that is computed, vertex by vertex") {
+TEST_CASE("the logged vertices of a path add up to its radiance") {
   check_told_paths<PathTracer>(
       this_stage >= 2 ? text::point_light("0, 0, 0", "3.14159265") : "");
 }

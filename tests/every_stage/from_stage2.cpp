@@ -13,7 +13,7 @@ using namespace lightwalk::tests;
 
 TEST_SUITE_BEGIN("units");
 
-TEST_CASE("a ray that leaves the scene does not lose what was gathered") {
+TEST_CASE("a ray that leaves the scene does not lose radiance found so far") {
   check_light_is_kept_on_leaving<PathTracer>();
 }
 
@@ -21,32 +21,33 @@ TEST_SUITE_END();
 
 TEST_SUITE_BEGIN("analytic scenes");
 
-TEST_CASE("what was gathered is kept at an emitter that cannot be asked") {
+TEST_CASE(
+    "radiance found so far survives an emitter that cannot be sampled") {
   check_kept_at_an_emitter<PathTracer>();
 }
 
-TEST_CASE("what was gathered is kept at a lamp that has been asked") {
+TEST_CASE("radiance found so far survives a lamp that has been sampled") {
   check_kept_at_a_counted_lamp<PathTracer>();
 }
 
-TEST_CASE("what was gathered is kept when the throughput is black") {
-  check_kept_when_all_goes_black<PathTracer>();
+TEST_CASE("radiance found so far survives a black throughput") {
+  check_kept_at_black_throughput<PathTracer>();
 }
 
-TEST_CASE("what was gathered is kept when a path leaves the scene") {
+TEST_CASE("radiance found so far survives a path that leaves the scene") {
   check_kept_when_a_path_leaves<PathTracer>();
   if constexpr (this_stage >= 3) check_kept_when_a_lobe_leaves<PathTracer>();
 }
 
-TEST_CASE("a lamp that was asked and hidden does not count when found") {
+TEST_CASE("a lamp that was sampled but hidden does not count when hit") {
   check_half_hidden_lamp<PathTracer>();
 }
 
-TEST_CASE("two unlike lights of each type give what each of them gives") {
+TEST_CASE("two unlike lights of each type give the sum of both") {
   check_unlike_lights<PathTracer>();
 }
 
-TEST_CASE("a light that brings nothing takes nothing from those after it") {
+TEST_CASE("a light that brings nothing does not affect the lights after it") {
   check_useless_lights<PathTracer>();
 }
 
@@ -57,7 +58,7 @@ TEST_CASE("at most N bounces: N terms of the light of a point") {
   }
 }
 
-TEST_CASE("the camera sees a lamp from the front, and black behind it") {
+TEST_CASE("the camera sees a lamp from the front, and black from behind") {
   check_lamp_as_the_camera_sees_it<PathTracer>();
 }
 

@@ -12,12 +12,12 @@ using namespace lightwalk::tests;
 TEST_SUITE_BEGIN("analytic scenes");
 
 TEST_CASE(
-    "lights are asked by the lobe: plastic shows the lamp that it mirrors") {
+    "lights are sampled per lobe: plastic shows the lamp that it mirrors") {
   check_plastic_shows_its_lamp<PathTracer>();
 }
 
 TEST_CASE(
-    "lights are asked by the lobe: milk glass shows the lamp behind it") {
+    "lights are sampled per lobe: milk glass shows the lamp behind it") {
   check_milk_glass_shows_its_lamp<PathTracer>();
 }
 

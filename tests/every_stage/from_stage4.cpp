@@ -8,11 +8,11 @@ using namespace lightwalk::tests;
 
 TEST_SUITE_BEGIN("analytic scenes");
 
-TEST_CASE("a path that glass never lets out ends") {
+TEST_CASE("a path that never leaves glass ends") {
   check_endless_path_ends<PathTracer>();
 }
 
-TEST_CASE("a path on a dark wall is over soon") {
+TEST_CASE("a path on a dark wall ends soon") {
   check_path_on_a_dark_wall_is_short<PathTracer>();
 }
 

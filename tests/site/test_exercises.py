@@ -116,7 +116,7 @@ class Exercises(Copy):
 
     def test_a_test_that_there_is_not(self):
         self.task(
-            '"mirrored twice', '"mirrored thrice', "3.1", 'no test case of its stage begins "mirrored thrice'
+            '"mirroring twice', '"mirroring thrice', "3.1", 'no test case of its stage begins "mirroring thrice'
         )
 
     def test_a_need_that_comes_later(self):

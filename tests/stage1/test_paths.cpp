@@ -140,7 +140,7 @@ TEST_CASE("a floor seen from anywhere under half a sky is half as bright") {
 }
 
 // Under half a sky a thousand samples cannot all be alike.
-TEST_CASE("every sample goes another way") {
+TEST_CASE("every sample takes another direction") {
   const Scene scene =
       scene_text(materials + plane("[0, 1, 0]", "1", "floor") +
                  plane("[-1, 0, 0]", "5", "sky"));

@@ -126,7 +126,7 @@ TEST_CASE("direct light is not shaded by the surface that it falls on") {
 }
 
 // The wall's own normal points down; wo is above, and so is the light.
-TEST_CASE("direct light comes to the side that is seen") {
+TEST_CASE("direct light falls on the side that is seen") {
   const auto wall_under = [](const std::string& center) {
     return scene_text("[materials]\nwall = { kd = 0.5 }\n" +
                       text::plane("0, -1, 0", "0", "wall") +

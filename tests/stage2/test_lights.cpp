@@ -125,7 +125,8 @@ TEST_CASE("the direction to a lamp's point has unit length and leads there") {
   }
 }
 
-TEST_CASE("the way to a point light is a unit vector that ends before it") {
+TEST_CASE(
+    "the direction leads to a point light, and the distance ends before it") {
   const Vec3 x(0.5f, -1, 2);
   for (const Vec3& center : {Vec3(3, 4, 0), Vec3(0.5f, -0.9f, 2),
                              Vec3(0, 0, -300), Vec3(1000, 2000, 2)}) {
@@ -165,7 +166,7 @@ Pixel weights_at(const Lamp& lamp, const Vec3& x) {
 }
 
 // L_e / p in the mean is L_e times the solid angle, however points are chosen.
-TEST_CASE("a rectangle's answers are worth L_e times its solid angle") {
+TEST_CASE("a rectangle's mean weight is L_e times its solid angle") {
   const Vec3& a = slanted.corner;
   const Vec3 b = a + slanted.edge_u, c = b + slanted.edge_v,
              d = a + slanted.edge_v;
@@ -187,7 +188,7 @@ TEST_CASE("a rectangle's answers are worth L_e times its solid angle") {
 }
 
 // 2 pi (1 - cos) of the cone with the sine r/d: for small r/d, pi (r/d)^2.
-TEST_CASE("a sphere's answers are worth L_e times its solid angle") {
+TEST_CASE("a sphere's mean weight is L_e times its solid angle") {
   for (const float distance : {1.1f, 2.0f, 30.0f, 3000.0f, 1e5f}) {
     const SphereLight ball{{0, distance, 0}, 1, Vec3(4)};
     const double s = 1 / (static_cast<double>(distance) * distance);
@@ -291,7 +292,7 @@ TEST_CASE("a shadow ray ends on the near side of the sphere") {
 
 // Nothing else is in the scene, so every point of the lamp that faces x is
 // seen from x, wherever the lamp is.
-TEST_CASE("no lamp is in its own way") {
+TEST_CASE("no lamp shades itself") {
   Scene scene;
   Material shining;
   shining.ke = Vec3(1);

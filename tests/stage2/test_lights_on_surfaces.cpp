@@ -132,7 +132,7 @@ constexpr Lamp lamps[] = {Lamp::point, Lamp::rectangle, Lamp::ball};
 
 }  // namespace
 
-TEST_CASE("a surface is not in the way of the light that is in it") {
+TEST_CASE("a surface does not shade the light that lies in it") {
   for_each_place([](const Place& place) {
     for (const Lamp lamp : lamps) {
       const std::vector<float> alone =

@@ -12,7 +12,7 @@ using namespace lightwalk::tests;
 
 TEST_SUITE_BEGIN("relations");
 
-TEST_CASE("asking the lamps gives the picture that finding them gives") {
+TEST_CASE("sampling the lamps gives the picture that hitting them gives") {
   struct Case {
     std::string scene;
     int max_bounces;

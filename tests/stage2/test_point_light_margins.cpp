@@ -58,8 +58,7 @@ struct Lit {
 
 TEST_SUITE_BEGIN("units");
 
-TEST_CASE(
-    "a point light at the origin, in a wall, lights what is before it") {
+TEST_CASE("a point light at the origin, in a wall, lights what faces it") {
   Random random(7, 0, 0);
   for (int i = 0; i < 20; ++i) {
     CAPTURE(i);
@@ -72,7 +71,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a wall one unit before a point light far away keeps its light") {
+TEST_CASE("a wall one unit before a distant point light blocks its light") {
   Random random(9, 0, 0);
   for (int i = 0; i < 20; ++i) {
     CAPTURE(i);

@@ -126,7 +126,8 @@ TEST_CASE("direct light is 0 where the light is hidden or below") {
               asked("[0, 0.5, 0]", plate), product / (0.25f * pi));
 }
 
-TEST_CASE("an emission is counted if it was asked for, and only then") {
+TEST_CASE(
+    "an emission is already counted if and only if its light was sampled") {
   struct Case {
     const char* shape;
     const char* name;

@@ -242,7 +242,7 @@ TEST_CASE("a lamp of two triangles gives what its rectangle gives") {
 
 // What a point of a lamp is worth depends on where it lies, so a hundred
 // samples are a hundred numbers, but for a few that rounding makes equal.
-TEST_CASE("each sample asks another point of the lamp") {
+TEST_CASE("each sample chooses another point of the lamp") {
   for (const std::string& lamp :
        {rectangle("[0, 0.8, 0]", "[1.5, 0, 0]", "[0, 0, 0.7]"),
         std::string("[[shapes]]\ntype = \"sphere\"\ncenter = [1, 2, 0]\n"

@@ -54,7 +54,7 @@ TEST_CASE("a mirror: equal angles, on the other side of the normal") {
   }
 }
 
-TEST_CASE("mirrored twice is where it was, for any normal") {
+TEST_CASE("mirroring twice gives back the direction, for any normal") {
   const Vec3 wo = normalize(Vec3(0.3f, -0.5f, 0.8f));
   for (const Vec3& normal : test_normals(100)) {
     const Vec3 twice = reflect(reflect(wo, normal), normal);
@@ -96,7 +96,7 @@ TEST_CASE("Snell's law, into glass and out of it") {
   }
 }
 
-TEST_CASE("a refracted ray taken backwards is the ray that came") {
+TEST_CASE("a refracted ray taken backwards gives the incoming ray") {
   Random random(3, 0, 0);
   for (const Vec3& normal : test_normals(200)) {
     const Vec3 wo =

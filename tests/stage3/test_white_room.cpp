@@ -99,7 +99,8 @@ TEST_CASE("seen from inside glass the room has radiance 2.25") {
 }
 
 // Beyond the critical angle, in a glass ball, the ray is reflected for ever.
-TEST_CASE("what is totally reflected for ever brings nothing, and ends") {
+TEST_CASE(
+    "a path that is totally reflected forever brings nothing, and ends") {
   const Scene scene = in_white_room("{ kt = 1 }", ball("thing"));
   const PathTracer tracer(scene, bounces(64));
   Random random(1, 0, 0);
@@ -151,7 +152,7 @@ TEST_CASE("each material has its own eta") {
 
 // Between two mirrors a path has no end. Each ray but the first follows a
 // bounce, so there are 65 at most, however many bounces are asked for.
-TEST_CASE("more than 64 bounces are never made") {
+TEST_CASE("a path never makes more than 64 bounces") {
   const Scene scene = scene_text(
       "[materials]\nmirror = { ks = 1 }\n[[shapes]]\ntype = \"plane\"\n"
       "normal = [0, 0, 1]\ndistance = 1\nmaterial = \"mirror\"\n"

@@ -50,7 +50,8 @@ std::vector<double> survivals() {
 // For p = kd = 1/2 the variance is 1/2. Roulette that is switched off has the
 // same mean and no variance. More noise is a matter of taste (lights may be
 // asked in the diffuse event alone), less is a mistake.
-TEST_CASE("roulette has the mean 1, and at least the noise of its deaths") {
+TEST_CASE(
+    "roulette has the mean 1, and at least the variance of absorption") {
   const Scene scene = scene_text(lit_sphere("0.5"));
   const Pixel pixel = estimate(PathTracer(scene, {}), inside, 200'000);
   double square = 1;
@@ -143,7 +144,8 @@ TEST_CASE("each lobe keeps its color, whichever event is drawn") {
 
 // From glass one looks out at a wall of radiance 1: 1.5^2 times kt. The weight
 // of refraction is not its coefficient alone.
-TEST_CASE("an event has the weight of its sample: refraction its square") {
+TEST_CASE(
+    "an event has the weight of its sample: refraction has eta squared") {
   RenderSettings settings;
   settings.max_bounces = 1;
   const Scene scene = in_white_room("{ kt = 0.5 }", ball("thing"));
@@ -155,7 +157,7 @@ TEST_CASE("an event has the weight of its sample: refraction its square") {
 
 // kd + ks = 1 in red, ks + kt = 1 in green: nothing is lost, as long as a path
 // can end anywhere. Beyond bounce 16 roulette adds noise, not light.
-TEST_CASE("what loses no light is invisible in a white room, in the mean") {
+TEST_CASE("what loses no light is invisible in a white room, on average") {
   struct Case {
     const char* material;
     bool exact;  // every path of fewer than 16 bounces

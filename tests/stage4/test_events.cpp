@@ -67,7 +67,7 @@ void check_frequencies(const LobeProbabilities& p) {
 // Any probabilities will do, as long as what has a coefficient has a chance.
 // These are compared with laws that all of them must keep, whichever one is
 // chosen: the largest channel, the mean, the luminance.
-TEST_CASE("no lobe with a coefficient is left without a chance") {
+TEST_CASE("every lobe with a coefficient has a chance") {
   const Vec3 red(0.3f, 0, 0), green(0, 0.3f, 0), blue(0, 0, 0.3f), none(0);
   for (const Vec3& k : {red, green, blue, Vec3(0.3f)}) {
     for (const int bounce : {0, 1, 20}) {

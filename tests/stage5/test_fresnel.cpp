@@ -102,7 +102,7 @@ TEST_CASE("F is the same for both directions of a ray") {
   }
 }
 
-TEST_CASE("no border, no reflection") {
+TEST_CASE("no reflection where the index does not change") {
   for (const double degrees : {0.0, 30.0, 80.0}) {
     check_fresnel(degrees, 1, 0);
   }
@@ -120,7 +120,7 @@ TEST_CASE("F lies in [0, 1] and is a number, for every angle and index") {
 }
 
 TEST_CASE(
-    "fresnel turns ks into F ks and kt into (1 - F) kt, at either side") {
+    "fresnel turns ks into F ks and kt into (1 - F) kt, from either side") {
   const Scene scene = scene_text(
       "[materials]\nglass = { ks = 0.8, kt = 0.6, eta = 1.5, fresnel = true "
       "}\n" +
@@ -180,7 +180,7 @@ TEST_CASE("a Fresnel glass ball and cube in a white room are invisible") {
 
 // In the mean over all paths, with no bound, nothing is lost either. Rays that
 // enter a ball can leave it again at every turn.
-TEST_CASE("Fresnel glass without a bound: the room's light, in the mean") {
+TEST_CASE("Fresnel glass without a bound: the room's light, on average") {
   const Scene scene = in_white_room(
       "{ ks = 1, kt = 1, eta = 1.5, fresnel = true }", ball("thing"));
   const PathTracer tracer(scene, {});
@@ -191,7 +191,8 @@ TEST_CASE("Fresnel glass without a bound: the room's light, in the mean") {
 
 // Of a ray at normal incidence 4 % are reflected at the front, which sees the
 // room behind the camera, here black; the rest goes through.
-TEST_CASE("how often glass reflects is F, and its picture's weight is 1") {
+TEST_CASE(
+    "glass reflects with probability F, and the reflection's weight is 1") {
   const Scene scene = scene_text(
       "[materials]\nglass = { ks = 1, kt = 1, eta = 1.5, fresnel = true }\n"
       "lamp = { ke = 1 }\n[[shapes]]\ntype = \"plane\"\nnormal = [0, 0, -1]\n"

@@ -147,7 +147,7 @@ TEST_CASE("a patterned floor under a sky is kd ke") {
 }
 
 // Every ray, of both events, brings 1.
-TEST_CASE("a glass ball by Fresnel in a white room is invisible on average") {
+TEST_CASE("a ball of Fresnel glass in a white room is invisible on average") {
   const Scene scene =
       in_white_room("{ ks = 1, kt = 1, fresnel = true }", ball("thing"));
   RenderSettings settings;

@@ -86,7 +86,7 @@ TEST_CASE("a triangle's uv run along its first two edges") {
   check_uv(uv, {0.25f, 0.5f});
 }
 
-TEST_CASE("a plane's uv are distances along two axes across its normal") {
+TEST_CASE("a plane's uv are distances along two axes square to its normal") {
   const Scene scene =
       with("type = \"plane\"\nnormal = [0, 1, 0]\ndistance = 1");
   const Vec2 a = uv_at(scene, {0, 0, 0}, {0.5f, -1, 0.25f});

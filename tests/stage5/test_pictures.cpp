@@ -88,7 +88,8 @@ TEST_CASE("the globe's picture is the map: land where the map has land") {
 
 // Grazing rays are reflected by both balls alike in number only if F is
 // ignored: at 80 degrees F is 0.39, and the fixed ball's share is 0.1.
-TEST_CASE("glass by Fresnel reflects more at its rim than glass without") {
+TEST_CASE(
+    "Fresnel glass reflects more at its rim than glass without Fresnel") {
   const Scene scene = scene_file("fresnel_glass", 32, 32);
   const auto reflected = [&](float center_x, float degrees) {
     const Vec3 normal{0, 0, -1};

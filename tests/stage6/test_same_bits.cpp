@@ -173,7 +173,7 @@ Scene random_scene(std::uint64_t seed) {
 // Where stage 6 is stage 5, there is nothing to compare.
 TEST_SUITE_BEGIN("relations" * doctest::skip(stage6::paths_at_once == 1));
 
-TEST_CASE("one path alone brings what it brings to stage 5") {
+TEST_CASE("a single path has the radiance that it has in stage 5") {
   const Scene scene = scene_file("cornell_box_point", 16, 16);
   const stage5::PathTracer one(scene, {});
   const stage6::PathTracer many(scene, {});

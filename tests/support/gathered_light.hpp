@@ -69,7 +69,7 @@ void check_kept_at_a_counted_lamp() {
 /// All that the floor sees is black, or has no color in common with it, and
 /// the throughput goes black there.
 template <class PathTracer>
-void check_kept_when_all_goes_black() {
+void check_kept_at_black_throughput() {
   const Scene under_black =
       scene_text(gathering_floor("") + gathering_light() +
                  text::plane("0, -1, 0", "3", "black"));
