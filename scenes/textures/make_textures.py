@@ -1,7 +1,7 @@
 """Makes the textures of the scenes: globe.png and marble.png.
 
-Python's standard library only. The same bytes each time, so that a texture
-which has not changed is no change: `python3 make_textures.py` beside them.
+Needs only Python's standard library. Writes the same bytes each time, so that
+git sees no change: run `python3 make_textures.py` in this folder.
 """
 
 import math
@@ -11,7 +11,7 @@ from pathlib import Path
 
 
 def write_png(path, width, height, pixel):
-    """Writes the 8-bit sRGB picture whose colour at (column, row) is pixel."""
+    """Writes the 8-bit sRGB picture whose color at (column, row) is pixel."""
     rows = bytearray()
     for row in range(height):
         rows.append(0)  # no filter
