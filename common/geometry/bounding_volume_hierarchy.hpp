@@ -3,7 +3,7 @@
 // # Many shapes
 //
 // Ten shapes are best tried one pack after the other. With a million nearly
-// all of that work is in vain, so packs of shapes that are close together are
+// all of that work is wasted, so packs of shapes that are close together are
 // put into boxes, and the boxes into larger boxes: a ray that misses a box
 // misses everything in it. This is a bounding volume hierarchy.
 //
@@ -30,11 +30,12 @@ namespace lightwalk {
 // ## How deep
 //
 // A cut may take one shape away and leave a million. So from some depth on
-// parts are halved, that of most shapes first. Then a node's eight parts have
-// an eighth of its shapes each, rounded up. There are fewer than 2^32 shapes:
-// ten levels on, four of them would be left for a node, and these are a pack.
-// So there are no more than ten such levels. A walk down keeps seven children
-// of each node for later, at most, and what it needs for that is known.
+// parts are halved, the part with most shapes first. Then each of a node's
+// eight parts has an eighth of its shapes, rounded up. There are fewer than
+// 2^32 shapes: ten levels on, four of them would be left for a node, and
+// these are a pack. So there are no more than ten such levels. A walk down
+// keeps at most seven children of each node for later, so its stack has a
+// fixed size.
 
 class BoundingVolumeHierarchy {
  public:
@@ -67,13 +68,13 @@ class BoundingVolumeHierarchy {
 
   bool empty() const { return nodes_.empty(); }
 
-  /// How many nodes are above each other.
+  /// The number of levels of nodes.
   int levels() const { return levels_; }
 
   // #region walk
   /// Calls `visit(pack)` for the packs that the ray may meet, the nearest of
-  /// a node's boxes first. It returns the distance up to which hits still
-  /// matter.
+  /// a node's boxes first. `visit` returns the distance up to which hits
+  /// still matter.
   template <class Visit>
   void walk(const Ray& ray, float end, Visit visit) const {
     const BoundsRay box_ray(ray);
@@ -129,7 +130,8 @@ class BoundingVolumeHierarchy {
     nodes_.emplace_back();
     levels_ = std::max(levels_, depth + 1);
     const bool halved = depth >= halved_from_;
-    // Rays meet the largest box most often; of equals, most shapes matter.
+    // Rays meet the largest box most often; of equal boxes, the one with most
+    // shapes matters.
     const auto matters_less = [halved](const Part& a, const Part& b) {
       const auto key = [halved](const Part& part) {
         return std::pair(halved ? 0 : part.box.half_area(), part.size());

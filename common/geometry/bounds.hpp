@@ -2,9 +2,9 @@
 
 // # Bounds
 //
-// A box with its sides along the axes is quickly met, and every shape but a
-// plane fits into one. A tree of boxes finds the few shapes near a ray among
-// a million: see common/geometry/bounding_volume_hierarchy.hpp.
+// A box with its sides along the axes is quickly intersected, and every shape
+// but a plane fits into one. A tree of boxes finds the few shapes near a ray
+// among a million: see common/geometry/bounding_volume_hierarchy.hpp.
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ struct Bounds {
   }
   Vec3 center() const { return 0.5f * low + 0.5f * high; }
 
-  /// Half the surface. An empty box has none.
+  /// Half the surface area; 0 for an empty box.
   float half_area() const {
     const Vec3 size = glm::max(high - low, Vec3(0));
     return size.x * size.y + size.y * size.z + size.z * size.x;
@@ -41,8 +41,15 @@ struct Bounds {
 };
 // #endregion box
 
-// A hit is found to a few roundings, and flat shapes reach a little over
-// their edges, so boxes are made a little larger than what they hold.
+// A hit is off by a few roundings, and flat shapes reach a little over their
+// edges, so boxes are a little larger than what they hold: on each side by
+// $2^{-18}$, or 64 roundings of $2^{-24}$, of the largest coordinate $m$. The
+// corners have two roundings. A flat shape of length $l$ at distance $d$
+// reaches $8 (l + d) / \cos\theta$ roundings over its edge, and $l$ is at
+// most $2m$ along an axis. So 64 suffice straight ahead ($\cos\theta = 1$) up
+// to $d = 5m$. For longer or slanted rays the number is chosen: a tree may
+// miss a hit beyond an edge. tests/fuzz/tree.cpp checks that a tree finds
+// every hit that lies within half of this margin.
 
 inline Bounds widened(Bounds box) {
   const float more = 0x1p-18f * std::max(max_abs_component(box.low),
@@ -84,22 +91,24 @@ struct BoundsPack {
 
 // ## Meeting a box
 //
-// A box is what three pairs of parallel planes have in common. Along each
-// axis the ray is between the two planes from one distance to another, and it
-// is in the box where it is between all three pairs. Dividing by a direction
-// of 0 along an axis would give 0/0 on the planes themselves, so such a
-// direction is taken as a very small one.
+// A box is the intersection of three slabs, each between two parallel planes.
+// The ray enters each slab at one distance and leaves it at another, and it
+// is in the box where it is in all three slabs. A direction of 0 along an
+// axis would give 0/0 on the planes themselves, so it is replaced by a very
+// small one.
 //
 // Rounding must not let a ray miss a box that it meets. So the farther of two
-// planes is taken to be farther than it is, by more than all roundings here.
+// planes is taken to be farther than it is, by more than all roundings here:
+// the near distance has three of $2^{-24}$, the far one four, and $2^{-20}$
+// is sixteen.
 
-/// What a ray meets of eight boxes.
+/// Which of eight boxes a ray meets.
 struct BoxHits {
   unsigned lanes;    ///< a bit for each box that it meets
   Float8 distances;  ///< where it enters them
 };
 
-/// A ray, prepared for meeting many boxes.
+/// A ray, prepared to be intersected with many boxes.
 class BoundsRay {
  public:
   explicit BoundsRay(const Ray& ray) : origin_(ray.origin) {
@@ -113,7 +122,7 @@ class BoundsRay {
   }
 
   // #region box-intersection
-  /// The boxes that the ray is in somewhere between 0 and `end`.
+  /// The boxes that the ray is in somewhere between distances 0 and `end`.
   BoxHits meet(const BoundsPack& boxes, float end) const {
     Float8 first = broadcast(0.0f), last = broadcast(end);
     clip(boxes, &Vec3x8::x, 0, first, last);

@@ -58,15 +58,16 @@ class Geometry {
            triangles().size();
   }
 
-  /// Sorts many shapes into trees. Without it answers take time in proportion
-  /// to the number of shapes. They are the same but where rounding decides:
-  /// for a ray that grazes a shape, or meets two at the same distance.
+  /// Sorts many shapes into trees. Without trees an answer takes time in
+  /// proportion to the number of shapes. The answers are the same, except
+  /// where rounding decides: for a ray that grazes a shape, or meets two at
+  /// the same distance.
   void prepare() {
     std::apply([](auto&... list) { (list.prepare(), ...); }, lists_);
   }
 
-  /// Calls `use(shape, hit)` for each shape, in the order of the slots, with
-  /// what is the same in all of its hits.
+  /// Calls `use(shape, hit)` for each shape, in the order of the slots.
+  /// `hit` has the members that are the same in all hits of the shape.
   template <class Use>
   void for_each_shape(Use use) const {
     Hit hit{};
@@ -98,11 +99,12 @@ class Geometry {
 
   /// The first of the shapes that a ray meets.
   struct Closest {
-    float distance;  ///< the search's limit where it meets nothing
-    std::int32_t slot;
+    float distance;     ///< the search's limit if the ray meets nothing
+    std::int32_t slot;  ///< meaningless if the ray meets nothing
   };
 
-  /// What the ray meets first before `limit`.
+  /// The shape that the ray meets first, nearer than `limit`. The ray's
+  /// direction must be a unit vector, here and below.
   Closest intersect(const Ray& ray, float limit) const {
     Nearest nearest(limit);
     std::apply(
@@ -127,8 +129,8 @@ class Geometry {
         lists_);
   }
 
-  /// Whether the ray meets nothing before `distance` but the lamp, which is
-  /// met there to rounding.
+  /// Whether the ray meets nothing before `distance` but the lamp, which lies
+  /// there up to rounding.
   bool reaches(const Ray& ray, float distance, const Light& lamp) const {
     const Closest closest = intersect(ray, distance);
     if (!(closest.distance < distance)) return true;
@@ -145,8 +147,8 @@ class Geometry {
     return std::get<List>(lists_);
   }
 
-  /// Where the ray meets the shapes of a pack. The one that it leaves is met
-  /// again at a distance that the ray knows.
+  /// Where the ray meets the shapes of a pack. It meets the shape that it
+  /// leaves again at `self_hit_distance`.
   template <class Pack>
   static Float8 distances(const Pack& pack, std::int32_t number,
                           const Ray& ray) {
@@ -249,7 +251,7 @@ class Geometry {
     hit.slot = closest.slot;
     hit.position = ray.origin + closest.distance * ray.direction;
     hit.rounding = flat_rounding * max_abs_component(hit.position);
-    // Back by more than rounding may have moved it past another surface.
+    // A step back, longer than rounding may have moved it past a surface.
     const float step = std::min(2 * hit.rounding, 0.5f * closest.distance);
     const Vec3 back = step * ray.direction;
     auto slot = static_cast<std::size_t>(closest.slot);

@@ -3,11 +3,11 @@
 // # What to compile together
 //
 // A path is compiled into one piece of code, from the camera's ray to the
-// film: handed on through memory, hits would cost a tenth of the speed. GCC
-// has to be asked for that. What is rare and long, such as a walk through a
-// tree of boxes, is kept apart, for it would only be in the way.
+// film: passing hits on through memory would cost a tenth of the speed. GCC
+// does so only on request. Code that is rare and long, such as a walk through
+// a tree of boxes, is kept out of that piece.
 //
-// Both are advice. Compilers that do not know it give the same bits.
+// Both macros are hints. Compilers that lack them give the same bits.
 
 #if defined(__GNUC__) && !defined(__clang__)
 #define LIGHTWALK_FLATTEN __attribute__((flatten))

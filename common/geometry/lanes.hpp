@@ -9,12 +9,11 @@
 // with the same rounding as one float would. So it makes no difference to the
 // bits how many lanes the processor takes at a time.
 //
-// That is the width of its registers, and a row is made of as many parts as
-// it takes: one part of eight lanes with AVX2, two of four on any other x86
-// and on ARM, and eight single numbers for compilers without vector types. A
-// row wider than the registers must not be left to the compiler: GCC takes
-// the comparisons of such a one apart into single numbers, which is slower
-// than having no vectors at all.
+// A row is made of parts, each as wide as the processor's registers: one part
+// of eight lanes with AVX2, two of four on any other x86 and on ARM, and
+// eight single numbers for compilers without vector types. A row wider than
+// the registers must not be left to the compiler: GCC splits comparisons of
+// such a row into single numbers, which is slower than no vectors at all.
 
 #include <bit>
 #include <cmath>
@@ -124,7 +123,7 @@ Lanes<Number, Part> select(const Int8& mask, const Lanes<Number, Part>& yes,
   return each_part<Lanes<Number, Part>>(
       [&](int i) { return mask.part[i] ? yes.part[i] : no.part[i]; });
 }
-/// The smaller of two numbers, neither of them not a number.
+/// The smaller of two numbers; neither may be NaN.
 inline Float8 min(const Float8& a, const Float8& b) {
   return select(a < b, a, b);
 }
@@ -181,7 +180,7 @@ inline bool any(const Int8& mask) {
   return lanes_of(mask) != 0;
 }
 
-/// The smallest of the eight, none of them not a number.
+/// The smallest of the eight; none may be NaN.
 inline float smallest(const Float8& x) {
 #if defined(LIGHTWALK_VECTORS) && defined(__SSE2__)
 #ifdef __AVX2__

@@ -8,8 +8,8 @@
 //
 // Along the ray $o + t\omega$ the left side is $n \cdot o + d + t\,(n \cdot
 // \omega)$, which is zero at $t = -(n \cdot o + d) / (n \cdot \omega)$. A ray
-// within the plane divides zero by zero and a ray beside it divides by zero:
-// not a number and infinity, and neither counts as a hit.
+// within the plane divides zero by zero and a ray parallel to it divides by
+// zero: not a number and infinity, and neither counts as a hit.
 
 #include "common/geometry/lanes.hpp"
 #include "common/geometry/ray.hpp"
@@ -20,7 +20,7 @@ struct Plane {
   Vec3 normal;     ///< unit
   float distance;  ///< d, the signed distance from the plane to the origin
   const Material* material;
-  static constexpr const Light* light = nullptr;  ///< it has no end
+  static constexpr const Light* light = nullptr;  ///< never sampled
 };
 
 /// What it takes to intersect planes: eight with one ray, or one with many.
@@ -52,10 +52,9 @@ struct PlanePack : PlaneIntersector<Vec3x8, Float8> {
 };
 
 /// The point of a plane below `x`, which is `height` lengths of the normal
-/// `n` off it. That length is 1 but for rounding: near the origin, where
-/// floats are fine, it must not be left to that. So it is divided by the
-/// square $1 + \epsilon$ of that length, which is to be multiplied by
-/// $1 - \epsilon$.
+/// `n` off the plane. That length is 1 only up to rounding, which is too
+/// coarse near the origin, where floats are fine. So `height` is divided by
+/// the square $1 + \epsilon$ of that length: multiplied by $1 - \epsilon$.
 template <class DoubleVector, class Double>
 DoubleVector project_onto_plane(const DoubleVector& x, const Double& height,
                                 const DoubleVector& n) {

@@ -31,7 +31,7 @@ enum class ShapeType : std::uint8_t { plane, sphere, rectangle, triangle };
 inline constexpr std::array<std::string_view, 4> shape_names = {
     "plane", "sphere", "rectangle", "triangle"};
 
-/// What messages call a shape.
+/// The name of a shape in messages.
 inline std::string shape_name(ShapeType type) {
   return std::string(shape_names[static_cast<std::size_t>(type)]);
 }
@@ -47,7 +47,7 @@ struct Hit {
   ShapeType shape_type;
   std::uint32_t shape_index;  ///< among the scene's shapes of that type
   const Material* material;
-  const Light* light;  ///< the one that the shape is; null if it is none
+  const Light* light;  ///< the light that the shape is; null if it is none
 };
 
 // ## Leaving a surface
@@ -61,25 +61,25 @@ struct Hit {
 // never right: a step that is large enough for acne jumps over whatever is
 // thinner, a pane of glass or the gap under a ball.
 //
-// But it is known what a ray can meet again of the shape that it leaves. Of
-// something flat: nothing. Of a sphere: nothing outside, and inside the one
-// point on the far side. A chord of a sphere of diameter $2r$ that makes an
-// angle $\theta$ with the normal has the length $2r\,|\cos\theta|$. So a ray
-// carries the shape that it leaves and the distance to that point, and this
-// shape is not intersected like the others.
+// But we know where a ray can meet the shape that it leaves again. Something
+// flat: nowhere. A sphere: outside nowhere, and inside at one point on the
+// far side. A chord of a sphere of diameter $2r$ that makes an angle $\theta$
+// with the normal has the length $2r\,|\cos\theta|$. So a ray carries the
+// shape that it leaves and the distance to that point, and this shape is not
+// intersected like the others.
 //
-// What remains is rounding itself. Of a position on something flat, the last
+// What remains is rounding itself: in a position on something flat, the last
 // of 24 bits is off. The ray starts that far in front of the surface, so that
-// a neighbor in the same plane is behind it. It is not much farther, because
-// every step into a room makes the room smaller: 10 km from the origin, the
-// step is 1 mm.
+// a neighbor in the same plane is behind it. It does not start much farther
+// off, because every step into a room makes the room smaller: 10 km from the
+// origin, the step is 1 mm.
 
 // #region leave-surface
-/// How far off something flat a hit may be, per length of its largest
-/// coordinate: a unit in the last place.
+/// How far a hit may be off something flat, relative to the hit's largest
+/// coordinate: one unit in the last place.
 inline constexpr float flat_rounding = 0x1p-23f;
 
-/// Where a ray starts that leaves the surface at `hit` in `direction`.
+/// The origin of a ray that leaves the surface at `hit` in `direction`.
 inline Vec3 leave(const Hit& hit, const Vec3& direction) {
   const float side = std::copysign(1.0f, dot(direction, hit.normal));
   return hit.position + side * hit.rounding * hit.normal;

@@ -2,8 +2,8 @@
 
 // # All shapes of one type
 //
-// They are kept twice: as they were given, for what a hit needs to know, and
-// in packs of eight, with just what it takes to find the hit.
+// Shapes are kept twice: as they were given, for the members of a hit, and in
+// packs of eight, with just what it takes to find the hit.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,10 @@
 
 namespace lightwalk {
 
-/// From this many shapes of a type on, they are kept in a tree of boxes.
+/// From this many shapes of a type on, they are kept in a tree of boxes. The
+/// number is chosen: fewer shapes are at most eight packs, as many as a node
+/// has. tests/core/test_bounding_volume_hierarchy.cpp checks the answers of
+/// trees from this size on.
 inline constexpr std::size_t many_shapes = 64;
 
 /// The shapes of one type, as they are and in packs of eight.
@@ -44,7 +47,7 @@ class ShapeList {
   const std::vector<Pack>& packs() const { return packs_; }
   const BoundingVolumeHierarchy& tree() const { return tree_; }
 
-  /// Lanes of all packs, also those that are not set.
+  /// The number of lanes of all packs, set or not.
   std::size_t slot_count() const { return packs_.size() * lane_count; }
 
   /// The index of the shape in a slot: slot 11 is lane 3 of pack 1.
