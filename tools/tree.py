@@ -1,7 +1,7 @@
-"""Where the tree and its programs are, how they are run, what they leave.
+"""Where the tree and its programs are, how to run them, how to read their files.
 
-All of the tree's Python stands on this. LIGHTWALK_BUILD names the build
-folder, if it is not build/.
+All of the tree's Python uses this. LIGHTWALK_BUILD names the build folder, if it
+is not build/.
 """
 
 import json
@@ -18,7 +18,7 @@ SCENES = ROOT / "scenes"
 
 
 class Failure(Exception):
-    """Something that the user has to put right."""
+    """An error that the user has to fix."""
 
 
 def stage_headers():
@@ -46,14 +46,14 @@ def listed_headers(folder):
 
 
 def tests_filter(beginnings):
-    """What doctest's -tc takes for the tests that begin so: a comma would
+    """The value of doctest's -tc for the tests with these beginnings: a comma would
     separate two, a quote would end the shell's word, and `?` is any letter."""
     return ",".join(re.sub(r"[,'\"*\\]", "?", begin) + "*" for begin in beginnings)
 
 
 def test_names(suite):
-    """The names of the test cases of "core" or "stage3", file by file: of what
-    every stage must do, too, from its first stage on."""
+    """The names of the test cases of "core" or "stage3", file by file; a stage's
+    include the tests for every stage from stage 1 up to it."""
     sources = sorted((ROOT / "tests" / suite).glob("*.cpp"))
     if suite.startswith("stage"):
         sources += sorted((ROOT / "tests/every_stage").glob(f"from_stage[1-{suite[5:]}].cpp"))
@@ -66,19 +66,19 @@ def test_names(suite):
 
 
 def left_out(where):
-    """What the build lacks there, a line each: cmake/Optional.cmake."""
+    """The parts that the build lacks there, a line each: cmake/Optional.cmake."""
     path = BUILD / "left_out.txt"
     lines = path.read_text().splitlines() if path.exists() else []
     return [line.removeprefix(f"{where}: ") for line in lines if line.startswith(f"{where}: ")]
 
 
 def built_stages():
-    """The names of the programs that there are, the newest last."""
+    """The names of the built stages, the newest last."""
     return sorted(path.name for path in BUILD.glob("stage[1-9]"))
 
 
 def run(program, *arguments, folder=None, **options):
-    """Runs a program to its end; what it prints is text."""
+    """Runs a program to its end, and captures its output as text."""
     return subprocess.run(
         [BUILD / program, *map(str, arguments)],
         cwd=folder,
@@ -106,7 +106,7 @@ def read_pfm(path):
     width, height = map(int, size.split())
     if (magic, scale) != (b"PF", b"-1.0"):
         raise ValueError(f"{path} is not the .pfm that the stages write")
-    # Behind the mean follows the variance.
+    # The variance follows the mean.
     pixels = list(struct.iter_unpack("<3f", data[: 12 * width * height]))
     rows = [pixels[i : i + width] for i in range(0, len(pixels), width)]
     return width, height, [pixel for row in reversed(rows) for pixel in row]

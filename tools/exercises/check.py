@@ -3,10 +3,10 @@ is not: `make check`.
 
     python3 -m tools.exercises.check [STAGE] [--watch | --hint]
 
-Exercises come in the order of the chapter, each judged by its own tests. The
-first that is open or wrong is explained, and no other; when all are done, the
-whole suite of the stage is run. A test of it that tells of one exercise, the
-`later` of its sheet, is told as that exercise's, and any other as the last's.
+Exercises come in the order of the chapter, each judged by its own tests. Only
+the first that is open or wrong is explained. When all are done, the whole suite
+of the stage runs. A failure there belongs to the exercise that lists the test
+under `later`, or else to the last exercise.
 """
 
 import argparse
@@ -33,14 +33,14 @@ SCREEN = 24
 
 @dataclasses.dataclass
 class Judged:
-    """An exercise and what has become of it."""
+    """An exercise and its state."""
 
     number: str
     title: str
     where: str
     task: dict
     state: str = "done"  # or open, wrong, waits
-    says: str = ""  # of what is open or wrong
+    says: str = ""  # why it is open or wrong
     needs: str = ""  # the exercise that it waits for
 
 
@@ -61,7 +61,7 @@ def header_of(stage):
 
 
 def build(target):
-    """What the compiler says, and whether it has made the target."""
+    """The compiler's output, and whether it has built the target."""
     done = subprocess.run(
         ["cmake", "--build", BUILD, "--target", target, "-j", str(os.cpu_count() or 2)],
         capture_output=True,
@@ -72,7 +72,7 @@ def build(target):
 
 
 def first_words(text, most=SCREEN):
-    """From the compiler's first error or warning on, a screenful at most."""
+    """The output from the first error or warning on, at most a screenful."""
     lines = text.replace(str(ROOT) + "/", "").splitlines()
     start = next((n for n, line in enumerate(lines) if re.search(r"\b(error|warning)\b", line)), 0)
     kept = [line for line in lines[start:] if not re.match(r"\[\d+/\d+\]|ninja:|FAILED:|gmake", line)]
@@ -87,9 +87,9 @@ def run_suite(stage, tests=()):
 
 
 def explained(outcome):
-    """Of what the suite says, the first test that fails, or did not end."""
+    """The first test of the suite's output that fails, or did not end."""
     text = report.first_failure(outcome)
-    # Where a test came through an exercise that is open, that may be all.
+    # If a test reached an open exercise, that may be the only reason.
     reached = [line for line in outcome.printed.splitlines() if "is still open" in line]
     return "\n".join([text, *reached[:1]]) if reached and reached[0] not in text else text.rstrip("\n")
 
@@ -115,8 +115,8 @@ def judge(stage, header):
 
 
 def late_failure(stage, judged, whole):
-    """The exercise that a test of the whole stage tells of; where it is none
-    of theirs, the last one, which all paths go through."""
+    """The exercise that a failing test of the whole stage belongs to: by its
+    `later`, or else the last one, which all paths go through."""
     for one in judged:
         if one.task.get("later"):
             outcome = run_suite(stage, one.task["later"])
@@ -142,10 +142,10 @@ def explain(one):
     yield ""
     if one.state == "open":
         yield wrapped(plain(one.task["task"]))
-        next_step = "Write it there, and take out the line that says open_exercise."
+        next_step = "Write it there, and delete the line with open_exercise."
     else:
         yield one.says
-        next_step = "Fix it, and `make check` once more."
+        next_step = "Fix it, and run `make check` again."
     yield ""
     yield next_step + " `make hint` gives a hint, `make watch` checks whenever you save."
 
@@ -154,7 +154,7 @@ def check(stage):
     """Prints a screenful; True if all is well."""
     header = header_of(stage)
     if not any(BUILD.glob(f"stage{stage}_tests*")):
-        print("The tests are compiled for the first time: a minute or more.\n", flush=True)
+        print("Compiling the tests for the first time: a minute or more.\n", flush=True)
     said, made = build(f"stage{stage}_header")
     if not made:
         print("The stage does not compile yet. The first error:\n\n" + first_words(said))
@@ -180,11 +180,11 @@ def check(stage):
     if not outcome.passed:
         late = late_failure(stage, judged, outcome)
         remember(stage, late)
-        print(f"Each exercise passes its own tests, but in the whole stage {late.number} is wrong:\n")
+        print(f"Each exercise passes its own tests, but {late.number} fails in the whole stage:\n")
         print("\n".join(explain(late)))
         return False
     print(report.summary(outcome))
-    print(f"Stage {stage} is done. `make` paints its picture.")
+    print(f"Stage {stage} is done. `make` renders its picture.")
     return True
 
 
@@ -194,12 +194,12 @@ def remember(stage, first):
 
 
 def hint(stage):
-    """Prints the next hint of the exercise that the last check has explained."""
+    """Prints the next hint for the exercise that the last check explained."""
     tasks = read_tasks(header_of(stage))
     note = NOTES / f"stage{stage}.json"
     number = json.loads(note.read_text()) if note.exists() else next(iter(tasks), None)
     if number not in tasks:
-        print("Every exercise is done: there is nothing to give a hint for.")
+        print("All exercises are done: there are no more hints.")
         return
     shown = NOTES / f"hints{number}"
     count = min(int(shown.read_text()) + 1 if shown.exists() else 1, len(tasks[number]["hints"]))
@@ -234,7 +234,7 @@ def check_at_each_save(stage):
 
 
 def picture(stage):
-    """Paints what the stage paints by now, small."""
+    """Renders a small picture with the stage so far."""
     goldens = tomllib.loads((ROOT / "tests/golden/goldens.toml").read_text())["golden"]
     scene = next((one["scene"] for one in goldens if one["stage"] == stage), None)
     if not scene or not build(f"stage{stage}")[1]:
@@ -247,7 +247,7 @@ def picture(stage):
     with contextlib.suppress(watch.Endless), subprocess.Popen(command, **quiet) as process:
         watch.communicate(process)
         if process.returncode == 0:
-            print(f"\nWhat it paints by now: {target}")
+            print(f"\nYour picture so far: {target}")
 
 
 class Parser(argparse.ArgumentParser):
@@ -260,7 +260,7 @@ def main():
     parser = Parser(description=__doc__.splitlines()[0])
     parser.add_argument("stage", nargs="?")
     parser.add_argument("--watch", action="store_true", help="check whenever the header is saved")
-    parser.add_argument("--hint", action="store_true", help="the next hint of the exercise that is not done")
+    parser.add_argument("--hint", action="store_true", help="the next hint for the exercise that is not done")
     options = parser.parse_args()
     stage = default_stage() if options.stage is None else options.stage
     if isinstance(stage, str):

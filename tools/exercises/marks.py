@@ -5,11 +5,11 @@
     return (what a solution returns);
     // #endregion
 
-The body is the solution; the stub, one line or several, is what stands there
-while the exercise is open. Marks stand within a region, with any indent.
+The body is the solution; the stub, one line or several, replaces it while the
+exercise is open. Marks are within a region, with any indent.
 
-In a handout a call of `open_exercise` comes before the stub, and who has
-written the exercise has taken it out.
+In a handout a call of `open_exercise` comes before the stub. The student who
+solves the exercise deletes it.
 
     python3 -m tools.exercises.marks    lists them
 """
@@ -84,7 +84,7 @@ def opened(line, where, path, region, exercises):
 
 
 def check_solved(exercise):
-    """What a solution has beside its marks."""
+    """Refuses an exercise without stub or body, or with too long a body."""
     if not exercise.stub:
         raise Failure(f"{exercise.where}: exercise {exercise.number} has no '// #stub' after its mark")
     if not any(line.strip() for line in exercise.body):
@@ -105,7 +105,7 @@ def exercises(path):
 
 
 def marks(path, root=ROOT):
-    """The same in whatever state they are, in a tree that begins at root."""
+    """The header's exercises in any state, in a tree that begins at root."""
     found, region, now = [], None, None
     for number, line in enumerate(path.read_text().splitlines(), 1):
         bare = line.strip()

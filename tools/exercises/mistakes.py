@@ -2,12 +2,12 @@
 
     python3 -m tools.exercises.mistakes [--stage N] [-j JOBS]
 
-Each mistake of the catalogue that lies in the body of an exercise is made, all
-else being solved, and the exercises are judged in the chapter's order, each by
-its own tests, and then by those of the whole stage that tell of it. The first
-that fails should be the one with the mistake in it.
-The table is written to build/mistakes/exercises.md; it ends with 1 where a
-mistake is found in no exercise.
+Makes each mistake of the catalog that is in the body of an exercise, with all
+else solved, and judges the exercises in the chapter's order, each by its own
+tests, and then by its `later` tests of the whole stage. The first that fails
+should be the one with the mistake.
+Writes the table to build/mistakes/exercises.md, and exits with 1 if a mistake is
+found in no exercise.
 """
 
 import argparse
@@ -52,7 +52,7 @@ def first_failing(mistake, suite, tasks, folder):
 
 
 def judged(stage, jobs):
-    """(mistake, its exercise, the exercise that is named) of one stage."""
+    """(mistake, its exercise, the named exercise) of one stage."""
     suite = catalogue.Suite(stage)
     tasks = read_sheet(suite.header).tasks
     folder = BUILD / "mistakes" / "exercises"

@@ -1,9 +1,9 @@
-"""What a chapter asks of its readers: exercises.toml beside the header.
+"""A chapter's exercises and questions: exercises.toml beside the header.
 
     recap = [five lines]
     [[exercise]]     number, task, hints = [two], tests = [prefixes of the
                      names of test cases], needs = [numbers], minutes, points;
-                     later = [tests that tell of it, and need all of the stage]
+                     later = [tests that check it, and need the whole stage]
     [[question]]     ask, answer; three of them
 
 Every mark of the header has its [[exercise]], and the other way round.
@@ -61,7 +61,7 @@ class Sheet:
     recap: list = field(default_factory=list)
 
     def texts(self):
-        """Everything that is prose, with what it belongs to."""
+        """All prose, with the name of the entry that it belongs to."""
         for number, task in self.tasks.items():
             for text in (task.task, *task.hints):
                 yield f"exercise {number}", text
@@ -81,7 +81,7 @@ def read_tasks(header):
 
 
 def headers_with_exercises():
-    """The chapters that are worked at; others are for reading."""
+    """The chapters with exercises; others are for reading."""
     return [header for header in stage_headers() if read_tasks(header)]
 
 
@@ -100,7 +100,7 @@ def known_numbers():
 
 
 def checked(entry, mark, where):
-    """The task, if all that it says can be."""
+    """The task of a valid entry."""
     for key, kind in (KEYS | OPTIONAL).items():
         if key in OPTIONAL and key not in entry:
             continue
@@ -130,7 +130,7 @@ def checked(entry, mark, where):
 
 
 def read_sheet(header):
-    """What stands in the exercises.toml beside the header."""
+    """The exercises.toml beside the header."""
     marks = {one.number: one for one in exercises(header)}
     name = task_file(header)
     path = ROOT / name
@@ -150,7 +150,7 @@ def read_sheet(header):
         if number not in marks:
             raise Failure(f"{name}: exercise {number} has no mark in {header.name}")
         if number in tasks:
-            raise Failure(f"{name}: exercise {number} stands there twice")
+            raise Failure(f"{name}: exercise {number} is there twice")
         tasks[number] = checked(entry, marks[number], f"{name}: exercise {number}")
     for number, one in marks.items():
         if number not in tasks:
@@ -160,7 +160,7 @@ def read_sheet(header):
         raise Failure(f"{name}: has {len(questions)} questions, not {QUESTIONS}")
     for place, question in enumerate(questions, 1):
         if question.keys() != {"ask", "answer"}:
-            raise Failure(f"{name}: question {place} has not just ask and answer")
+            raise Failure(f"{name}: question {place} must have exactly ask and answer")
     if len(recap) != RECAP:
         raise Failure(f"{name}: recap has {len(recap)} lines, not {RECAP}")
     tasks = {number: tasks[number] for number in marks}

@@ -36,7 +36,7 @@ SYMBOLS = {
 
 
 def formula(text):
-    r"""TeX as far as it can be read in a terminal: \frac{a}{b} is a/b."""
+    r"""TeX as readable text for a terminal: \frac{a}{b} is a/b."""
     group = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
     text = re.sub(r"\\(?:displaystyle|underbrace|cancel)(?![a-zA-Z])", "", text)
     text = re.sub(

@@ -1,5 +1,5 @@
-"""The chapter as a page that a student opens in a browser, made from the
-book's: without its solutions, its answers and what leads to other pages."""
+"""The chapter as a page for a student's browser, made from the book's page:
+without solutions, answers and links to other pages."""
 
 import re
 from pathlib import Path
@@ -36,13 +36,13 @@ LINK = re.compile(r'<a\b[^>]*\bhref="([^"]*)"[^>]*>(.*?)</a>', re.S)
 STYLE = re.compile(r'<link rel="stylesheet"[^>]*href="\.\./_static/([^"?]+)')
 FONT = re.compile(r"url\(\./files/([\w.-]+)\)")
 SCRIPTS = ("live.js", "viewer.js")
-# Scripts of the world that the book is written in.
+# The writing systems that the book uses.
 SUBSETS = re.compile(r"-(latin|latin-ext|greek)-wght-")
 
 
 def book_page(header):
-    """The book's page of the chapter, or None where `make book` has not been
-    run since the header was changed."""
+    """The book's page of the chapter, or None if `make book` has not run since
+    the header changed."""
     path = BOOK / f"stages/{header.parent.name}.html"
     return path if path.exists() and path.stat().st_mtime >= header.stat().st_mtime else None
 
@@ -55,7 +55,7 @@ def without_solutions(article):
 
 
 def without_links(article):
-    """Links within the page stay, and those to papers."""
+    """Keeps only links within the page and to papers."""
 
     def text(match):
         address, words = match.groups()
@@ -75,8 +75,8 @@ def static_files(styles):
 
 
 def chapter_page(header):
-    """The page and all that it shows, in the folder chapter/: {path: bytes};
-    nothing where the book is not there."""
+    """The page and all files that it needs, in the folder chapter/: {path: bytes};
+    empty if the book is not built."""
     source = book_page(header)
     if not source:
         return {}

@@ -1,4 +1,4 @@
-"""What a handout holds: which files of the tree, and what becomes of them."""
+"""The contents of a handout: which files of the tree, and how they change."""
 
 import re
 import tomllib
@@ -12,7 +12,7 @@ from tools.handout.opened import opened
 from tools.tree import ROOT, Failure, stage_headers
 
 OVERLAY = Path(__file__).parent / "tree"
-# Everything that every stage needs. A folder ends with a stroke.
+# The files that every stage needs. A folder ends with a slash.
 COMMON = (
     "common/",
     "cmake/",
@@ -35,7 +35,7 @@ COMMON = (
     "LICENSE",
     "WORDS.md",
 )
-# What a chapter's folder has besides.
+# Files of a chapter's folder that only the book uses.
 FOR_THE_BOOK = ("/figures.toml", "/drawings.py")
 ANSWER = re.compile(r'^answer = (?:"""[\s\S]*?"""|"(?:[^"\\]|\\.)*")$', re.MULTILINE)
 IMAGE = re.compile(r'image\s*=\s*"([^"]+)"')
@@ -65,7 +65,7 @@ def introduced():
 
 
 def scenes_until(stage, tracked):
-    """The scenes that a stage can read, and the images that they show."""
+    """The scenes that a stage can read, and their images."""
     stages = introduced()
     for path in tracked:
         if not re.fullmatch(r"scenes/\w+\.toml", path):
@@ -84,8 +84,9 @@ def goldens_until(stage):
 
 
 def contents(stage, tracked, solutions):
-    """The handout's files: {path: bytes}. `tracked` are the tree's; what comes
-    before `stage` has its `solutions`, "previous" or "none"."""
+    """The handout's files: {path: bytes}. `tracked` are the tree's files. The
+    stages before `stage` have their solutions if `solutions` is "previous", and
+    not if it is "none"."""
     headers = {stage_of(header): header for header in stage_headers()}
     if stage not in headers:
         raise Failure(f"stage {stage} is not in this tree; there are {', '.join(map(str, headers))}")

@@ -1,13 +1,13 @@
-"""Makes what students get: `make handout`.
+"""Makes a handout for students: `make handout`.
 
     python3 -m tools.handout.handout STAGE --out FOLDER [--solutions none]
     python3 -m tools.handout.handout STAGE --into FOLDER
 
---out makes a new folder: the stages before with their solutions (or without),
-this stage with its exercises open, nothing that comes later, and a git history
-of one commit. --into adds the stage to a folder that a student works in: what
-is new comes in, what an earlier handout brought and nobody has changed is
-brought up to date, and whatever the student has written stays as it is.
+--out makes a new folder: the earlier stages with their solutions (or without),
+this stage with its exercises open, nothing of later stages, and a git history
+of one commit. --into adds the stage to a folder that a student works in: it
+adds new files, updates files of an earlier handout that the student has not
+changed, and keeps everything that the student has written.
 """
 
 import argparse
@@ -60,8 +60,8 @@ def write(folder, path, data):
 
 
 def note(stage, files):
-    """What the handout has brought, so that the next one knows what a student
-    has changed."""
+    """The handout's record of its files, from which the next one knows which of
+    them a student has changed."""
     sums = {path: sum_of(data) for path, data in files.items()}
     return json.dumps({"stage": stage, "files": sums}, indent=1) + "\n"
 
@@ -70,12 +70,12 @@ def tell_missing_page(stage, files):
     if not any(re.match(rf"stages/{stage}_\w+/chapter/", path) for path in files):
         print(
             "  without the chapter as a page with its figures: "
-            "`make book` makes it, and handouts that are made after it bring it along"
+            "run `make book` first, then handouts include it"
         )
 
 
 def make_new(stage, solutions, folder):
-    """Writes beside the folder first, so that there is all of it or nothing."""
+    """Writes beside the folder first, so that the folder is complete or missing."""
     if folder.exists() and any(folder.iterdir()):
         raise Failure(f"{folder} is not empty; --into adds to a student's folder")
     files = all_files(stage, solutions)

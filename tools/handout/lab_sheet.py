@@ -1,13 +1,13 @@
-"""The lab sheet of a stage: what is to be done, and what it counts. Made from
-the chapter's marks and exercises.toml, so that it cannot say anything else."""
+"""The lab sheet of a stage: its tasks and their points. Made from the chapter's
+marks and exercises.toml, so that it always agrees with them."""
 
 from tools.exercises.sheet import read_sheet, title_of
 
 HAND_IN = """\
 ## What to hand in
 
-1. `path_tracer.hpp` of this stage. `make check` says what it is worth: {points} points.
-2. The picture that `make` paints, and one of a scene of your own.
+1. `path_tracer.hpp` of this stage, {points} points. `make check` tests it.
+2. The picture that `make` renders, and one of your own scene.
 3. Your answers to the questions, two or three sentences each.
 """
 

@@ -1,7 +1,7 @@
 """A stage's header with its exercises open.
 
-The body of each exercise gives way to its stub, before which a call says once,
-on stderr, that the exercise is open and where.
+The stub replaces the body of each exercise. A call before it prints once, on
+stderr, that the exercise is open and where.
 """
 
 from tools.exercises.marks import exercises

@@ -1,12 +1,13 @@
-"""Proves the handouts: `make handouts`.
+"""Tests the handouts: `make handouts`.
 
     python3 -m tools.handout.prove [--orders N] [--keep FOLDER]
 
-No handout holds a solution or anything later, open or not. Then one folder is
-a student's, through the whole course: each stage comes in, compiles without
-warnings, says which exercises are open, and these alone fail; the solutions
-are put in one by one, in the chapter's order and in others, and turn each
-exercise's own tests green as soon as what it needs is there.
+First: no handout contains a solution or anything of a later stage, whether
+earlier stages are open or not. Then one folder plays a student's through the
+whole course: each stage is added, compiles without warnings, and lists its open
+exercises, and only these fail. The solutions are inserted one by one, in the
+chapter's order and in others; each exercise's tests pass as soon as it and the
+exercises it needs are solved.
 """
 
 import argparse
@@ -25,7 +26,7 @@ from tools.handout.contents import contents, stage_of
 from tools.handout.handout import add_to, git, make_new
 from tools.tree import ROOT, Failure, tests_filter
 
-# A line of a solution that is shorter may stand anywhere by chance.
+# A shorter line of a solution may occur anywhere by chance.
 LONGEST_CHANCE = 20
 TEXTS = {".hpp", ".cpp", ".h", ".py", ".md", ".toml", ".txt", ".json", ".cmake", ".html", ""}
 
@@ -45,9 +46,9 @@ def shown(path, data):
 
 
 def leaks(files, opened, solved):
-    """(path, line) of each line of the solutions of the headers `opened` that
-    the handout's own files hold. What a `solved` header shows is no secret, nor
-    what an opened one shows beside its exercises."""
+    """(path, line) of each line that the handout's files share with the solutions
+    of the headers `opened`. Lines that a `solved` header shows are allowed, and
+    so are those that an opened one has outside its exercises."""
     secret, given = set(), set()
     for header in opened:
         lines = header.read_text().splitlines()
@@ -57,7 +58,7 @@ def leaks(files, opened, solved):
         given |= lines_of("\n".join(lines))
     for header in solved:
         given |= lines_of(header.read_text())
-    # A comment says what the step is, and is the chapter's.
+    # Comments name the steps, and the chapter may repeat them.
     secret = {line for line in secret - given if not line.startswith("//")}
     for path, data in files.items():
         if Path(path).suffix not in TEXTS or path.startswith("third_party/"):
@@ -67,7 +68,7 @@ def leaks(files, opened, solved):
 
 
 def check_contents():
-    """Each handout's files, without building any."""
+    """Checks each handout's files, without building any."""
     tracked = git(ROOT, "ls-files").splitlines()
     headers = headers_with_exercises()
     for header in headers:
@@ -89,7 +90,7 @@ def check_contents():
 
 
 class Student:
-    """A folder with handouts in it, and its build."""
+    """A student's folder with handouts, and its build."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -154,7 +155,7 @@ def orders(numbers, count):
 
 
 def prove(student, header, count):
-    """One stage in the student's folder, from open to solved."""
+    """Takes one stage in the student's folder from open to solved."""
     stage, tasks = stage_of(header), read_sheet(header).tasks
     bodies = {one.number: one.body for one in exercises(header)}
     text = student.header(stage).read_text()

@@ -3,9 +3,9 @@
     python3 -m tools.handout.single_header      build/single/stageN.hpp, each N
 
 Each header of the tree is copied once, in the order in which a compiler would
-meet it, without its includes: those of the tree are replaced by what they
-name, those of GLM and the standard library are gathered at the top. Nothing
-but the tree goes in, so the same tree gives the same bytes.
+read it, without its #includes: the headers of the tree replace those that name
+them, and those of GLM and the standard library are collected at the top. The
+result depends only on the tree, so the same tree gives the same bytes.
 """
 
 import re
@@ -16,7 +16,7 @@ from pathlib import Path
 
 from tools.tree import BUILD, ROOT, Failure, stage_headers
 
-# What a program finds in the header beside its stage, and includes for it.
+# The headers of the core that a program may use beside its stage.
 CORE = ["common/render/paint.hpp", "common/image/pfm.hpp", "common/image/ppm.hpp"]
 FOR_PROGRAMS = {"fstream"}
 
@@ -80,13 +80,13 @@ $light  const auto picture = paint<stage$stage::PathTracer>($arguments);
 }
 """
 
-# Whoever includes it wrongly reads first what is wrong.
+# After a wrong include these are the first errors.
 OPENING = """\
 #ifndef LIGHTWALK_STAGE${stage}_HPP
 #define LIGHTWALK_STAGE${stage}_HPP
 
 #if defined(LIGHTWALK_SINGLE_HEADER)
-#error "stage$stage.hpp: another stage is included already. Include the newest alone, it holds the others."
+#error "stage$stage.hpp: another stage is included already. Include only the newest: it contains the others."
 #elif defined(__cplusplus) && __cplusplus < 201709L && !defined(_MSC_VER)
 #error "stage$stage.hpp needs C++20: compile with -std=c++20"
 #elif !__has_include(<glm/vec3.hpp>)
@@ -113,7 +113,7 @@ def example(stage):
 
 
 class Collected:
-    """The headers below some of a tree, each after those that it includes."""
+    """Some headers of a tree and all that they include, each after those."""
 
     def __init__(self, root, names):
         self.root = root
@@ -144,7 +144,7 @@ class Collected:
         self.parts[name] = lines
 
     def takes(self, line, where, depth):
-        """Whether the line is an include, of which no trace is left."""
+        """Whether the line is an #include, which is removed."""
         if not ANY_INCLUDE.match(line):
             return False
         include = INCLUDE.match(line)

@@ -1,6 +1,6 @@
-"""The header-only libraries that a handout brings along, with their licenses.
+"""The header-only libraries of a handout, with their licenses.
 
-They are copied from where this machine has them installed.
+They are copied from this machine's installation.
 """
 
 import shutil
@@ -29,14 +29,13 @@ def found(name):
 
 
 def license_of(package):
-    """Its text where Debian keeps it, else None."""
+    """The license's text from Debian's folder, else None."""
     path = Path("/usr/share/doc") / package / "copyright"
     return path.read_text(errors="replace") if path.exists() else None
 
 
 def copy_libraries(target):
-    """Fills the folder; raises Failure where a library that is needed is not
-    installed or has no license to go with it."""
+    """Fills the folder; raises Failure if a library is not installed."""
     for library, (name, package, home) in LIBRARIES.items():
         source, text = found(name), license_of(package)
         if not source:

@@ -1,6 +1,6 @@
 #pragma once
 
-// An exercise that nobody has written yet says so once, and where it is.
+// An open exercise reports itself once, with its place in the source.
 
 #include <array>
 #include <atomic>
@@ -9,7 +9,7 @@
 #include <source_location>
 #include <string_view>
 
-// What is not written yet does not use its parameters.
+// Code that is not written yet does not use its parameters.
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wunused-variable"
@@ -23,8 +23,8 @@
 
 namespace lightwalk {
 
-/// Says on stderr that the exercise is open, the first time that it is
-/// reached, from whichever thread. Cheap after that.
+/// Prints on stderr that the exercise is open, at the first call from any
+/// thread. Later calls are cheap.
 inline void open_exercise(
     const char* number, const char* title,
     std::source_location place = std::source_location::current()) {
@@ -40,7 +40,7 @@ inline void open_exercise(
                    static_cast<unsigned>(place.line()));
       return;
     }
-    // Each translation unit may have an address of its own for one number.
+    // The same number may have another address in each translation unit.
     if (seen == number || std::string_view(seen) == number) return;
   }
 }
