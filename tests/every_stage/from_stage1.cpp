@@ -26,7 +26,7 @@ TEST_CASE("a ray that meets nothing brings the background") {
 
 TEST_SUITE_END();
 
-// Where paths are followed side by side, nothing is logged of each.
+// Stage 6 follows paths side by side and logs none of them.
 TEST_SUITE_BEGIN("units" * doctest::skip(this_stage == 6));
 
 TEST_CASE("every ray has a direction of unit length") {
@@ -139,11 +139,11 @@ TEST_CASE("the logged vertices of a path add up to its radiance") {
 
 TEST_SUITE_END();
 
-// Last of all: what a test by itself can tell is more to the point.
+// Last of all: a failure of any other test says more.
 TEST_SUITE_BEGIN("golden images");
 
 TEST_CASE("golden images: the pictures of the stage") {
-  // Stage 6 paints what stage 5 paints.
+  // Stage 6 renders the pictures of stage 5.
   check_goldens<PathTracer>(this_stage == 6 ? 5 : this_stage);
 }
 

@@ -1,4 +1,4 @@
-// What every path tracer must do that asks the lights.
+// What every path tracer that samples the lights must do.
 
 #include "stage.hpp"
 #include "support/bounce_bounds.hpp"

@@ -1,4 +1,4 @@
-// What every path tracer must do that follows mirrors and glass.
+// What every path tracer with mirrors and glass must do.
 
 #include "stage.hpp"
 #include "support/bounce_bounds.hpp"

@@ -1,4 +1,4 @@
-// What every path tracer must do that ends paths by roulette.
+// What every path tracer with Russian roulette must do.
 
 #include "stage.hpp"
 #include "support/lamps_and_glass.hpp"

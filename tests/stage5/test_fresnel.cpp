@@ -142,7 +142,7 @@ TEST_SUITE_END();
 
 TEST_SUITE_BEGIN("analytic scenes");
 
-// F + (1 - F) = 1: nothing is lost, and each event's weight is k/p = 1.
+// F + (1 - F) = 1: no light is lost, and each event's weight is k/p = 1.
 TEST_CASE("a Fresnel glass ball and cube in a white room are invisible") {
   for (const std::string& shape : {ball("thing"), cube("thing")}) {
     const Scene scene =
@@ -178,7 +178,7 @@ TEST_CASE("a Fresnel glass ball and cube in a white room are invisible") {
   }
 }
 
-// In the mean over all paths, with no bound, nothing is lost either. Rays that
+// On average over all paths, with no bound, no light is lost either. Rays that
 // enter a ball can leave it again at every turn.
 TEST_CASE("Fresnel glass without a bound: the room's light, on average") {
   const Scene scene = in_white_room(
@@ -205,7 +205,7 @@ TEST_CASE(
   // than F have another one.
   const double variance = pixel.variance(0) / (0.04 * 0.96);
   if (std::abs(variance - 1) > 0.07) {
-    MESSAGE("glass that reflects 4 %: right in the mean; ", variance,
+    MESSAGE("glass that reflects 4 %: correct on average; ", variance,
             " times the noise of the course's own program");
   }
   // At 75 degrees Fresnel's equations say 0.2531 and Schlick's curve 0.2547.

@@ -41,8 +41,8 @@ void check_bound_under_a_lamp() {
 }
 
 /// A sphere from inside, with a point light of intensity pi at its center:
-/// each hit sees it with radiance kd, and sends on kd + ks of what the wall
-/// beyond sends to it, for all of the wall is equally bright.
+/// each hit has radiance kd from it, and reflects kd + ks of the radiance of
+/// the wall, which is equally bright everywhere.
 template <class PathTracer>
 void check_bound_under_a_point_light(double ks) {
   const Scene scene = scene_text(
@@ -57,7 +57,7 @@ void check_bound_under_a_point_light(double ks) {
   }
 }
 
-/// A ray zigzags between two mirrors, and meets the lamp after k bounces.
+/// A ray zigzags between two mirrors, and hits the lamp after k bounces.
 template <class PathTracer>
 void check_bound_between_mirrors() {
   const char* distances[] = {"0.25", "1", "2", "3"};

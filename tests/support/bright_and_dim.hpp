@@ -2,9 +2,9 @@
 
 // # Radiance has no largest value and no smallest
 //
-// Scenes a million times as bright, and as dim, as others: a sample that is
-// clamped has lost light, and so has a path that is cut off because it seemed
-// to be worth little. What a path is worth is known at its end.
+// Scenes a million times as bright, and as dim, as others: clamped samples
+// lose light, and so do paths that are cut off because their throughput is
+// small. The contribution of a path is only known at its end.
 
 #include "support/exact_radiance.hpp"
 #include "support/specular_scenes.hpp"
@@ -17,7 +17,7 @@ inline double number(const char* text) {
   return std::strtod(text, nullptr);
 }
 
-/// kd ke of a sky, found by the path, and the sky itself.
+/// kd ke of a sky, which the path hits, and the sky itself.
 template <class PathTracer>
 void check_bright_and_dim_sky() {
   for (const char* ke : bright_and_dim) {
@@ -80,8 +80,8 @@ void check_bright_and_dim_in_mirrors_and_glass() {
   }
 }
 
-/// kd is 1 in 2000 and the sky 2000: one bounce is worth little until it has
-/// met the sky. Roulette that lets so many paths live needs many samples.
+/// kd is 1 in 2000 and the sky 2000: the throughput is small until the path
+/// hits the sky. Roulette that lets 1 path in 2000 live needs many samples.
 template <class PathTracer>
 void check_dark_floor_under_a_bright_sky(const std::string& rest = "") {
   const Scene scene = scene_text("[materials]\nfloor = { kd = 5e-4" + rest +
@@ -94,7 +94,7 @@ void check_dark_floor_under_a_bright_sky(const std::string& rest = "") {
 }
 
 /// A lamp within four balls of diamond, seen from outside: radiance falls by
-/// 2.42^2 at each surface, so the path is worth 1 in 1200 of what it finds.
+/// 2.42^2 at each surface, so the throughput is 1/1200.
 template <class PathTracer>
 void check_lamp_in_diamond() {
   const Scene scene = scene_text(
@@ -110,8 +110,8 @@ void check_lamp_in_diamond() {
                              DoubleVec3(2000 / std::pow(2.42, 8)), 400'000);
 }
 
-/// After n bounces between plastic walls a path is worth 0.5^n or less, and
-/// all of them together bring 0.5 (1 + 0.9 + 0.9^2 + ...).
+/// After n bounces between plastic walls each path has the throughput 0.5^n or
+/// less, and all paths together bring 0.5 (1 + 0.9 + 0.9^2 + ...).
 template <class PathTracer>
 void check_many_bounces_on_plastic(int max_bounces) {
   const Scene scene =

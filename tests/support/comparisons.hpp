@@ -23,7 +23,7 @@ Rerender renderer(Scene& scene, const RenderSettings& settings) {
   };
 }
 
-/// What is worst about a comparison, in one line.
+/// The worst difference of a comparison, in one line.
 inline std::string summary_of(const Comparison& comparison) {
   std::string text = "no region differs";
   double worst = 0;
@@ -61,11 +61,11 @@ inline void check_same_bits(const RenderResult& test,
   }
   if (different > 0) {
     FAIL_CHECK(different << " of " << b.width * b.height
-                         << " pixels are not the same: the first, " << first
+                         << " pixels differ: the first, " << first
                          << ". Does a path use anything but its own random "
                             "numbers, such as a static variable?");
   } else if (test.variance.pixels != reference.variance.pixels) {
-    FAIL_CHECK("the pixels are the same, and their variances are not");
+    FAIL_CHECK("the pixels are the same, but their variances differ");
   }
 }
 

@@ -3,8 +3,8 @@
 
 namespace {
 
-/// The reporter "suite", which tests/runner reads: doctest's XML, which of an
-/// exception leaves out what INFO and CAPTURE had noted.
+/// The reporter "suite", which tests/runner reads: doctest's XML, with what
+/// INFO and CAPTURE noted before an exception, which doctest leaves out.
 struct SuiteReporter : doctest::XmlReporter {
   using XmlReporter::XmlReporter;
 

@@ -2,9 +2,9 @@
 
 // # Each sample, or their mean
 //
-// Where nothing is left to chance each sample is right, and one that is wrong
-// is a mistake. But a right program may leave more to chance than it has to,
-// by roulette say. Then most samples differ, and only their mean is right.
+// Where nothing is random every sample must be right, and a wrong one is a
+// mistake. But a right program may use more randomness than necessary, by
+// roulette, say. Then most samples differ, and only their mean is right.
 
 #include <doctest/doctest.h>
 
@@ -31,11 +31,11 @@ class EachOrMean {
     (static_cast<double>(sample) < expected_ ? below_ : above_) += 1;
   }
 
-  /// No sample is wrong, or only to one side: then each of them is a mistake.
+  /// No sample is wrong, or all are wrong to one side: then each is a mistake.
   bool counts_each() const { return below_ == 0 || above_ == 0; }
 
-  /// Empty where the samples are what they should be. The mean is taken over
-  /// those that are not `expected`, for the others would only thin it.
+  /// Empty if the samples are right. The mean is taken only over those that
+  /// are not `expected`: the others would dilute it.
   std::string wrong() const {
     const std::string expected = ", expected " + std::to_string(expected_);
     if (wrong_.dropped > 0) {
@@ -55,20 +55,20 @@ class EachOrMean {
     }
     return std::to_string(wrong_.samples) + " of " +
            std::to_string(samples_) +
-           " samples are not the same, and their mean is " +
+           " samples differ from it, and their mean is " +
            std::to_string(wrong_.mean[0]) + " +- " + std::to_string(sigma) +
            expected + ": " +
            factor_in_words(wrong_.mean[0] / expected_,
                            sigma / std::abs(expected_));
   }
 
-  /// Fails unless each sample is right, or else their mean.
+  /// Fails unless each sample is right, or at least their mean.
   void check(const std::string& what) const {
     const std::string says = wrong();
     if (!says.empty()) FAIL_CHECK(what << ": " << says);
     if (says.empty() && !counts_each()) {
       MESSAGE(what,
-              ": right in the mean, and noisy where no noise has to be");
+              ": correct on average, but noisy where no noise is needed");
     }
   }
 

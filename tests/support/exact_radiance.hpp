@@ -2,9 +2,9 @@
 
 // # Scenes whose radiance can be written down
 //
-// The same few scenes are shown to every stage that can render them. A right
-// program may make legal choices of its own, so it is held to the mean, and
-// single samples may differ. Where all samples are right, a few are enough.
+// Every stage that can render these few scenes is tested with them. A right
+// program may sample in its own way, so only the mean counts, and single
+// samples may differ. Where all samples are right, a few are enough.
 
 #include <doctest/doctest.h>
 
@@ -34,7 +34,7 @@ inline std::string sphere(const std::string& center,
          "]\nradius = " + radius + "\nmaterial = \"" + material + "\"\n";
 }
 
-/// It shines, if it does, on the side of edge_u x edge_v.
+/// If it emits light, then on the side of edge_u x edge_v.
 inline std::string rectangle(const std::string& corner,
                              const std::string& edge_u,
                              const std::string& edge_v,
@@ -60,10 +60,10 @@ inline RenderSettings with_bounces(int max_bounces,
   return settings;
 }
 
-/// More than rounding may change a radiance by, as a share of it.
+/// More than rounding may change a radiance, as a relative error.
 inline constexpr double radiance_rounding = 1e-4;
 
-/// So few samples are enough where each of them is right.
+/// This few samples are enough if each of them is right.
 inline constexpr int few_samples = 64;
 
 /// What is wrong with a mean in one channel, or nothing.
@@ -88,10 +88,9 @@ inline std::string wrong_mean(const Pixel& pixel,
   return "";
 }
 
-/// The radiance along a ray must be `expected` in the mean. `samples` are
-/// taken, or a few where the first of them are all right. The `variance` of a
-/// sample, if it is given, is that of the course's own program; more of it
-/// is told, and is no error.
+/// The mean radiance along a ray must be `expected`. Takes `samples` samples,
+/// or only a few if all of these are right. `variance`, if it is given, is that
+/// of one sample of the course's own program; more is reported, but no error.
 template <class PathTracer>
 void check_radiance(const std::string& what, const Scene& scene,
                     const Ray& ray, const RenderSettings& settings,
@@ -118,7 +117,7 @@ void check_radiance(const std::string& what, const Scene& scene,
   if (!wrong.empty() || variance == 0) return;
   const double noise = pixel.variance(0) / variance;
   if (noise > 1.5) {
-    MESSAGE(what, ": right in the mean; ", noise,
+    MESSAGE(what, ": correct on average; ", noise,
             " times the noise of the course's own program");
   }
 }

@@ -15,7 +15,7 @@ struct NamedValue {
   std::string name;
 };
 
-/// What formulas are made of.
+/// The usual factors of formulas.
 std::vector<NamedValue> usual_factors() {
   constexpr double circle = 3.14159265358979;
   std::vector<NamedValue> values;
@@ -39,8 +39,8 @@ std::string formatted(const char* format, double number) {
   return text;
 }
 
-/// Whether a number is the expected one, to a share of `epsilon`. Expects
-/// exactly 0 if that is expected. What is not a number is none.
+/// Whether a number is the expected one, to a relative error of `epsilon`; an
+/// expected 0 must be met exactly. NaN is never the expected number.
 bool is_value(double actual, double expected, double epsilon) {
   return std::abs(actual - expected) <= epsilon * std::abs(expected);
 }
@@ -53,7 +53,7 @@ std::string seen_and_expected(const std::string& what,
          (difference.empty() ? "" : ": " + difference);
 }
 
-/// What sets `actual` apart from `expected`, in words.
+/// The difference between `actual` and `expected`, in words.
 std::string difference_in_words(double actual, double expected,
                                 double uncertainty) {
   if (std::isnan(actual)) return "it is not a number";
@@ -115,7 +115,7 @@ std::string factor_in_words(double ratio, double uncertainty) {
   }();
   const double tolerance = std::max(3 * uncertainty, 1e-4);
   std::string name = formatted("%.4g", ratio);
-  // Where the noise leaves more than one, none is named.
+  // If the noise allows several factors, none is named.
   int found = 0;
   for (const NamedValue& one : factors) {
     if (uncertainty > 0.02 || std::abs(ratio / one.value - 1) >= tolerance) {

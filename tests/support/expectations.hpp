@@ -1,8 +1,8 @@
 #pragma once
 
-// Checks that say, in a sentence, what was seen and what was expected: a mean
-// beside the number it should be, and between the two the factor, where it is
-// one that mistakes are made of.
+// Checks that report in a sentence what was seen and what was expected: the
+// mean, the expected number, and the factor between them where it is one that
+// mistakes typically cause.
 
 #include <doctest/doctest.h>
 
@@ -14,22 +14,22 @@
 
 namespace lightwalk::tests {
 
-/// A mean of a right program is farther off than so many of its standard
+/// A mean of a right program is off by more than this many of its standard
 /// deviations once in 92,000 times.
 inline constexpr double max_deviations = 4.4;
 
-/// A line of a test: by default, of the one that calls.
+/// A line of a test: by default, that of the caller.
 struct SourceLine {
   const char* file = __builtin_FILE();
   int line = __builtin_LINE();
 };
 
-/// "pi times what it should be", for a ratio that is known to a share of
-/// `uncertainty`. Names a factor where there is one of which mistakes are made.
+/// "pi times what it should be", for a ratio with a relative error of
+/// `uncertainty`. Names the factor if it is one that mistakes typically cause.
 std::string factor_in_words(double ratio, double uncertainty = 1e-4);
 
-/// Fails where `actual` is not `expected`, to a share of `epsilon`; 0 must be
-/// 0. `what` names it: "L = kd/pi I/d^2". False where it fails.
+/// Fails unless `actual` is `expected`, to a relative error of `epsilon`; 0
+/// must be 0. `what` names it: "L = kd/pi I/d^2". Returns false if it fails.
 bool check_value(const std::string& what, double actual, double expected,
                  double epsilon = 1e-4,
                  SourceLine place = {__builtin_FILE(), __builtin_LINE()});
@@ -47,15 +47,15 @@ void require_color(const std::string& what, const Vec3& actual,
                    const Vec3& expected, double epsilon = 1e-4,
                    SourceLine place = {__builtin_FILE(), __builtin_LINE()});
 
-/// Fails where the mean of many samples is not `expected`, but for their
-/// noise and a share `rounding` of it, or where a sample is no number.
+/// Fails unless the mean of many samples is `expected`, up to their noise and
+/// a relative error of `rounding`, and all samples are finite numbers.
 bool check_mean(const std::string& what, const Pixel& pixel, int channel,
                 double expected, double rounding = 1e-6,
                 SourceLine place = {__builtin_FILE(), __builtin_LINE()});
 
-/// Fails where the samples' variance is less than `expected`, but for a share
-/// of `epsilon`: something is not random that should be. More of it is only
-/// told, for a right program may leave more to chance.
+/// Fails if the samples' variance is less than `expected`, up to a relative
+/// error of `epsilon`: then something is not random that should be. More
+/// variance is only reported, for a right program may leave more to chance.
 bool check_variance(const std::string& what, const Pixel& pixel, int channel,
                     double expected, double epsilon,
                     SourceLine place = {__builtin_FILE(), __builtin_LINE()});

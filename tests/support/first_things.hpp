@@ -1,9 +1,9 @@
 #pragma once
 
-// # What to ask a path tracer before anything else
+// # What to test in a path tracer before anything else
 //
-// Each of these fails for one reason alone, and while it fails nearly all
-// other tests do, too. So they are the first to be read.
+// Each of these tests fails for one reason alone. While it fails nearly all
+// other tests fail, too, so these come first.
 
 #include <doctest/doctest.h>
 
@@ -30,7 +30,7 @@ inline Scene floor_and_light(const std::string& floor, bool lid) {
   return scene_text(text);
 }
 
-/// Where there is nothing there is no light.
+/// A ray that hits nothing brings no light.
 template <class PathTracer>
 void check_nothing_is_black() {
   const Scene scene = floor_and_light("{ kd = 0.5 }", false);
@@ -60,11 +60,11 @@ void check_light_is_kept_on_leaving() {
   FAIL_CHECK("a floor under a light has radiance "
              << closed.mean[0] << " where its paths end at a black lid, and "
              << open.mean[0]
-             << " where they leave the scene: what a path has gathered is "
-                "its answer, even if the last ray meets nothing");
+             << " where they leave the scene: a path returns the radiance "
+                "found so far, even if its last ray hits nothing");
 }
 
-/// What one path, or its branches, asked the scene.
+/// The log of one path, or of its branches.
 template <class PathTracer>
 PathLog listen_to(const PathTracer& tracer, const Ray& ray,
                   std::uint64_t sample) {
@@ -75,7 +75,7 @@ PathLog listen_to(const PathTracer& tracer, const Ray& ray,
   return log;
 }
 
-/// All rays of some paths: the camera's are, and the others shall be.
+/// All rays of some paths have unit length: the camera's do.
 template <class PathTracer>
 void check_unit_directions(const std::string& material) {
   const Scene scene = scene_text(

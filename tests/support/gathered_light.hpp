@@ -1,10 +1,10 @@
 #pragma once
 
-// # What a path has gathered is kept, however the path ends
+// # Radiance found so far survives, however the path ends
 //
-// A floor gets direct light, and then its path ends at a lamp that has been
-// asked, at an emitter that cannot be, at something black, or outside the
-// scene. The light of the floor is there all the same.
+// A floor gets direct light. Then its path ends at a lamp that has been
+// sampled, at an emitter that cannot be sampled, at something black, or outside
+// the scene. The direct light of the floor must stay in the sum.
 
 #include "support/exact_radiance.hpp"
 #include "support/specular_scenes.hpp"
@@ -33,8 +33,9 @@ inline DoubleVec3 gathered_from_the_light() {
 /// Comes down along -z, so that its mirror image goes up along -z.
 inline const Ray at_gathering_floor{{0, 0.4f, 0.3f}, {0, -0.8f, -0.6f}};
 
-/// The path ends at an emitter that no direct light can ask: a plane. It adds
-/// kd ke. A lamp F of the hemisphere large hides that share of the plane.
+/// The path ends at an emitter that next-event estimation cannot sample: a
+/// plane. It adds kd ke. A lamp that fills F of the hemisphere hides that share
+/// of the plane.
 template <class PathTracer>
 void check_kept_at_an_emitter() {
   const DoubleVec3 sky(1, 2, 3);
@@ -66,8 +67,8 @@ void check_kept_at_a_counted_lamp() {
       gathered_from_the_light() + gathering_kd * 4.0 / 4.0);
 }
 
-/// All that the floor sees is black, or has no color in common with it, and
-/// the throughput goes black there.
+/// All that the floor sees is black, or has no color in common with it, so
+/// the throughput becomes black there.
 template <class PathTracer>
 void check_kept_at_black_throughput() {
   const Scene under_black =
@@ -90,7 +91,7 @@ void check_kept_at_black_throughput() {
   }
 }
 
-/// Nothing is above the floor but the light.
+/// Only the light is above the floor.
 template <class PathTracer>
 void check_kept_when_a_path_leaves() {
   for (const int max_bounces : {1, 2, 5}) {
@@ -102,9 +103,9 @@ void check_kept_when_a_path_leaves() {
   }
 }
 
-/// A wall that shines stands at one side, and at the other the scene is open.
-/// Half of the diffuse directions meet it, whatever their angle. The mirrored
-/// and the refracted ray meet it or leave, depending on where one looks from.
+/// A wall that shines stands at one side; the other side is open. Half of the
+/// diffuse directions hit the wall, whatever their angle. Whether the mirrored
+/// and the refracted ray hit it depends on the ray of the camera.
 template <class PathTracer>
 void check_kept_when_a_lobe_leaves() {
   const Scene scene = scene_text(

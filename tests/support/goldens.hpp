@@ -1,7 +1,7 @@
 #pragma once
 
-// Golden images: what a stage renders against what it rendered when it was
-// known to be right.
+// Golden images: compares what a stage renders with what it rendered when it
+// was known to be right.
 
 #include <doctest/doctest.h>
 
@@ -25,10 +25,10 @@ struct Golden {
 /// The goldens of a stage that are listed and have been made.
 std::vector<std::string> golden_names(int stage);
 
-/// Throws where it is missing or cannot be read.
+/// Throws if the image is missing or cannot be read.
 Golden load_golden(int stage, const std::string& name);
 
-/// What is to be seen in most of a region: "the sphere of 'glass'".
+/// What fills most of a region: "the sphere of 'glass'".
 std::string seen_in(const LoadedScene& loaded, const Region& region);
 
 /// A failed comparison in words: what differs, where, and by how much. Writes
@@ -36,14 +36,14 @@ std::string seen_in(const LoadedScene& loaded, const Region& region);
 std::string explain(int stage, const Golden& golden,
                     const Comparison& comparison);
 
-/// From here on a picture has so much noise that nobody can say whether it is
-/// right: as a variance, over the golden's.
+/// With more noise than this, nobody can judge whether a picture is right: its
+/// variance divided by the golden's.
 inline constexpr double max_noise = 100;
 
-/// Hard checks of a picture, before any statistics. Empty where it passes.
+/// Hard checks of a picture, before any statistics. Empty if it passes.
 std::string broken_outright(const RenderResult& result);
 
-/// Renders a golden's scene and compares. At most a screenful is printed.
+/// Renders a golden's scene and compares. Prints at most a screenful.
 template <class PathTracer>
 void check_golden(int stage, const std::string& name) {
   Golden golden = load_golden(stage, name);

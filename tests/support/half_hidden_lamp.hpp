@@ -1,9 +1,9 @@
 #pragma once
 
-// # A lamp that was asked, and was hidden
+// # A lamp that was sampled, but hidden
 //
-// The question counts also where its answer was "hidden": a path that finds
-// another part of the same lamp must not add it.
+// A sample counts even if its shadow ray was blocked: a path that hits another
+// part of the same lamp must not add it.
 
 #include "support/exact_radiance.hpp"
 #include "support/specular_scenes.hpp"

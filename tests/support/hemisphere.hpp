@@ -15,7 +15,7 @@
 
 namespace lightwalk::tests {
 
-/// Along every axis, both ways, and `count` random ones.
+/// Normals along every axis, both ways, and `count` random ones.
 inline std::vector<Vec3> test_normals(int count) {
   std::vector<Vec3> normals = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
                                {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
@@ -46,8 +46,8 @@ inline void check_directions(const HemisphereSampler& sampler) {
   }
 }
 
-/// The mean cosine tells most about a density, and a ring or a sector that
-/// is too full tells where. Of a right sampler, one in a million fails.
+/// The mean cosine says most about a density, and the ring or sector that is
+/// too full says where. A right sampler fails once in a million times.
 struct HemisphereCounts {
   double p_value = 0, mean_cosine = 0, expected_mean_cosine = 0;
   std::string fullest;  ///< the cell that is farthest off, in words
@@ -61,7 +61,7 @@ inline HemisphereCounts count_hemisphere(
     const HemisphereSampler& sampler, const Vec3& normal,
     const std::function<double(double)>& cumulative) {
   constexpr int rings = 12, sectors = 16, samples = 200'000;
-  // Axes of the test's own: the code under test must not judge itself.
+  // The test's own axes: the code under test must not judge itself.
   const Vec3 aside =
       std::abs(normal.x) < 0.5f ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   const Vec3 x = normalize(cross(aside, normal)), y = cross(normal, x);

@@ -29,7 +29,8 @@ void check_lamp_as_the_camera_sees_it() {
   }
 }
 
-/// A floor under the backs of emitters that are asked and that are found.
+/// A floor under the backs of emitters, of which only the rectangle can be
+/// sampled.
 template <class PathTracer>
 void check_back_of_a_lamp_is_black() {
   const std::string floor =
@@ -51,8 +52,8 @@ void check_back_of_a_lamp_is_black() {
   }
 }
 
-/// Each lobe of a colored floor in a white room, and none but the refracted
-/// one is weighted by eta: kd + ks + kt / 1.5^2.
+/// Each lobe of a colored floor in a white room. Only the refracted one is
+/// weighted by eta: kd + ks + kt / 1.5^2.
 template <class PathTracer>
 void check_colored_lobes() {
   const Scene scene = in_white_room(
@@ -78,8 +79,8 @@ void check_room_seen_from_inside_glass() {
   }
 }
 
-/// From the floor to the mirror to the lamp: the floor asked the lamp, whose
-/// back it sees, and the mirror asked nobody.
+/// From the floor to the mirror to the lamp: the floor sampled the lamp, whose
+/// back it sees, and the mirror samples no lights.
 template <class PathTracer>
 void check_lamp_in_a_mirror_lights_the_floor() {
   check_radiance<PathTracer>("a floor under a mirror and a lamp's back",
@@ -111,7 +112,7 @@ double rays_of_a_path(const Scene& scene, const Ray& ray, int count) {
   return static_cast<double>(rays_cast - before) / count;
 }
 
-/// Light that glass reflects totally for ever: from bounce 16 on each path
+/// Light that glass reflects totally forever: from bounce 16 on each path
 /// survives with 0.95 at most, so it has about 16 + 20 rays.
 template <class PathTracer>
 void check_endless_path_ends() {
@@ -124,8 +125,8 @@ void check_endless_path_ends() {
   CHECK(rays < 50);
 }
 
-/// Roulette may wait, but by bounce 16 it has begun, and then lets half of the
-/// paths live at most: 16 + 2 rays on average.
+/// Roulette starts at bounce 16 at the latest, and then lets at most half of
+/// the paths live: 16 + 2 rays on average.
 template <class PathTracer>
 void check_path_on_a_dark_wall_is_short() {
   const Scene scene = scene_text("[materials]\nwall = { kd = 0.5 }\n" +

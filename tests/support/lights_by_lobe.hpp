@@ -1,10 +1,10 @@
 #pragma once
 
-// # The lights are asked by a lobe, not by a material
+// # Lights are sampled per lobe, not per material
 //
-// Plastic is diffuse and a mirror. Its diffuse lobe has asked the lamps, so a
-// diffuse ray that meets one adds nothing. Its mirror has asked nobody: the
-// ray that it sends counts what it meets.
+// Plastic is diffuse and a mirror. Its diffuse lobe has sampled the lamps, so a
+// diffuse ray that hits one adds nothing. Its mirror has not: a mirrored ray
+// adds the emission of what it hits.
 
 #include "support/exact_radiance.hpp"
 #include "support/specular_scenes.hpp"

@@ -2,7 +2,7 @@
 
 int main(int argc, char** argv) {
   doctest::Context context;
-  context.setOption("order-by", "suite");  // those that are in none first
+  context.setOption("order-by", "suite");  // tests in no suite first
   context.applyCommandLine(argc, argv);
   return context.run();
 }

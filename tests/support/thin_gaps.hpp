@@ -1,8 +1,8 @@
 #pragma once
 
-// Glass and mirrors with thin gaps between them, in a white surround: however
-// thin a pane is, and wherever it stands, it cannot be seen. A ray that
-// starts off its surface jumps over what is thinner than the step.
+// Glass and mirrors with thin gaps between them, in a white room: however thin
+// a pane is, and wherever it stands, it is invisible. A ray that starts a step
+// off its surface jumps over what is thinner than the step.
 
 #include <doctest/doctest.h>
 
@@ -59,11 +59,10 @@ struct ThinGaps {
   }
 };
 
-/// Rays at the things, from a window in front of them. What is wrong with the
-/// first one that sees something, because it does not bring 1. A ray that
-/// brings something else in one sample is followed again and again: a right
-/// program may end some paths, and let the others count for more. Empty where
-/// none sees anything.
+/// Sends rays at the things, from a window in front of them. Describes the
+/// first ray that sees something, that is, does not bring 1; empty if none
+/// does. A ray with another radiance in one sample gets many samples: a right
+/// program may end some paths by roulette, and let the others count for more.
 template <class PathTracer>
 std::string rays_that_see_something(const ThinGaps& things, int rays) {
   RenderSettings settings;
@@ -87,7 +86,7 @@ std::string rays_that_see_something(const ThinGaps& things, int rays) {
              ", from " + text_of(ray.origin) + " along " +
              text_of(ray.direction);
     }
-    if (++again == 20) break;  // noisy, and right wherever it was looked
+    if (++again == 20) break;  // noisy, but right for all rays so far
   }
   return "";
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a path tells at its vertices (`--pixel` prints it) is what it computes.
+// A path logs at its vertices (`--pixel` prints it) what it computes.
 
 #include <doctest/doctest.h>
 
@@ -14,9 +14,9 @@
 namespace lightwalk::tests {
 
 /// Paths within a sphere of radius 1. `lights` is a point light of intensity
-/// pi at its center, or nothing: a wall sends back kd/pi * pi / 1^2 = kd of
-/// it. So each vertex adds its throughput times kd to the sum, up to the last
-/// one, and nothing else does.
+/// pi at its center, or nothing: a wall reflects kd/pi * pi / 1^2 = kd of it.
+/// So each vertex but the last adds its throughput times kd to the sum, and
+/// nothing else does.
 template <class PathTracer>
 void check_told_paths(const std::string& lights) {
   const Scene scene = scene_text(R"(
@@ -64,10 +64,10 @@ material = "wall"
       if (i == 0) CHECK(throughput.x == 1);
       for (int c = 0; c < 3; ++c) {
         INFO("channel ", c, " at vertex ", i, ": throughput ", throughput[c],
-             ", sum gathered before it ", vertex.sum[c], ", expected ",
+             ", sum before it ", vertex.sum[c], ", expected ",
              sum[c],
              ": each vertex adds its throughput times kd. If tests of light "
-             "fail, too, begin there");
+             "fail, too, start with those");
         CHECK(throughput[c] > 0);
         CHECK(throughput[c] / throughput.x ==
               doctest::Approx(shares[c]).epsilon(1e-5));

@@ -2,8 +2,8 @@
 
 // # Two lights of a type, and no two alike
 //
-// They differ in place, size and color, so no light can stand in for another.
-// What they give is added up, in whichever order the scene has them.
+// They differ in place, size and color, so no light can replace another. Their
+// contributions add up, in any order of the scene.
 
 #include <array>
 
@@ -19,7 +19,7 @@ struct UnlikeLight {
   DoubleVec3 gives;
 };
 
-/// Two points, two balls and two rectangles, of which none is before another.
+/// Two points, two balls and two rectangles. None hides another.
 /// I cos / (pi d^2); ke cos (r / d)^2; ke F.
 inline std::array<UnlikeLight, 6> unlike_lights() {
   const double pi_ = std::acos(-1.0);
@@ -41,8 +41,8 @@ inline std::array<UnlikeLight, 6> unlike_lights() {
   }};
 }
 
-/// Lights of the same types that bring nothing there: below the floor, turned
-/// away from it, or behind a black ball, which comes with them.
+/// Lights of the same types that bring nothing to it: below the floor, turned
+/// away from it, or behind a black ball, which is part of them.
 inline std::array<UnlikeLight, 6> useless_lights() {
   const std::string screen = text::sphere("2, 0.8, 2", "0.4", "black");
   const DoubleVec3 nothing(0);
@@ -77,7 +77,7 @@ void check_floor_among(const std::string& what, const std::string& shapes,
                              DoubleVec3(0.5, 0.25, 0.75) * gives, 20'000);
 }
 
-/// A light that brings nothing takes nothing from those after it.
+/// A light that brings nothing does not affect the lights after it.
 template <class PathTracer>
 void check_useless_lights() {
   const auto lights = unlike_lights();
