@@ -1,7 +1,7 @@
 #pragma once
 
-// Names of files are texts in UTF-8 everywhere. Windows' library takes a text
-// for something else unless it is told.
+// Names of files are UTF-8 everywhere. The library of Windows assumes another
+// encoding unless the text is marked as UTF-8.
 
 #include <filesystem>
 #include <string>

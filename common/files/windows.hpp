@@ -1,7 +1,7 @@
 #pragma once
 
-// Windows' header, without its macros that are words of ours. Elsewhere it
-// is empty.
+// The header of Windows, without the macros that clash with our names. On
+// other systems this file is empty.
 
 #ifdef _WIN32
 #ifndef WIN32_LEAN_AND_MEAN
@@ -15,7 +15,7 @@
 #endif
 #include <windows.h>
 
-// Of 16-bit times. Other headers of Windows write them in capitals.
+// From the time of 16 bits. Other headers of Windows use the capitals.
 #undef near
 #undef far
 #undef NEAR

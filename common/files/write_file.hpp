@@ -2,10 +2,10 @@
 
 // # Writing a file whole or not at all
 //
-// Under the wanted name there is always a whole file: the old one, or the new
-// one. The bytes go to a file beside it first. Only when all of them are
-// written is it renamed, which replaces the old one in one step. Its name is
-// random, so that two programs that write one file do not meet.
+// The wanted name always stands for a whole file, the old one or the new one.
+// The bytes first go to a new file in the same folder. When all of them are
+// written, this file is renamed, which replaces the old one in one step. Its
+// first name is random, so that two programs can write the same file.
 
 #include <cstdio>
 #include <filesystem>
@@ -20,7 +20,7 @@
 
 namespace lightwalk {
 
-/// Where the bytes of a file go, and what is there already.
+/// Where the bytes of a file go, and what is already there.
 struct FilePlace {
   std::filesystem::path path;  ///< links followed to their end
   std::filesystem::file_status old;
@@ -29,7 +29,7 @@ struct FilePlace {
   bool is_stream() const { return exists(old) && !is_regular_file(old); }
 };
 
-/// Throws a FileError where no file can be, or none that may be replaced.
+/// Throws a FileError if no file can be there, or none may be replaced.
 inline FilePlace find_file_place(const std::string& name) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -54,8 +54,8 @@ inline FilePlace find_file_place(const std::string& name) {
   return place;
 }
 
-/// A new file beside a place, which becomes the file of that place, with the
-/// mode of the old one, or is removed.
+/// A new file in the folder of a place. It becomes the file of that place,
+/// with the mode of the old one, or is removed.
 class UnfinishedFile {
  public:
   explicit UnfinishedFile(const FilePlace& place)
@@ -104,9 +104,8 @@ class UnfinishedFile {
   bool renamed_ = false;
 };
 
-/// Writes a file, or replaces what it holds: the file that a link leads to.
-/// Pipes and devices are written to. Throws a FileError, and then the old
-/// file is as it was.
+/// Writes a file, or replaces the old one; follows links. Writes to pipes and
+/// devices, too. If it throws a FileError, the old file is unchanged.
 inline void write_file(const std::string& name, std::string_view bytes) {
   const FilePlace place = find_file_place(name);
   if (!place.is_stream()) return UnfinishedFile(place).finish(bytes);
@@ -116,7 +115,8 @@ inline void write_file(const std::string& name, std::string_view bytes) {
   if (!stream) throw FileError("it does not take all of the bytes");
 }
 
-/// Throws the FileError that `write_file` would throw, if that can be known.
+/// Throws the FileError that `write_file` would throw, as far as that can be
+/// found out without writing.
 inline void check_file_place(const std::string& name) {
   const FilePlace place = find_file_place(name);
   if (place.is_stream()) return;

@@ -8,7 +8,7 @@
 
 namespace lightwalk {
 
-/// What the three numbers of a color are called.
+/// The names of a color's three numbers.
 inline constexpr std::array channel_names = {"red", "green", "blue"};
 
 /// Linear colors, row by row from the top, each row from the left.

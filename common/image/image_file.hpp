@@ -1,9 +1,8 @@
 #pragma once
 
-// Images in files, told apart by the ending of their name: a table of
-// formats.
-// An image is encoded in memory first, so what can go wrong with a file is in
-// one place.
+// Images in files: a table of formats, one for each ending of a name. An
+// image is encoded in memory first, so all errors of writing the file occur
+// in one place.
 
 #include <algorithm>
 #include <string>
@@ -65,7 +64,7 @@ inline Texture read_texture_by_module(const std::string& name) {
 
 // ## All formats
 
-/// What can be done with files of one ending; null where it is impossible.
+/// What can be done with files of one ending; null for what is impossible.
 struct ImageFormat {
   std::string_view ending;
   std::string (*encode)(const RenderResult&, const ToneMapping&);
@@ -106,7 +105,7 @@ std::vector<std::string_view> endings_with(Function ImageFormat::*can) {
   return endings;
 }
 
-/// The format of a file that can be used so. Throws a FileError if none is.
+/// The format of a file with this use. Throws a FileError if there is none.
 template <class Function>
 const ImageFormat& format_of(const std::string& name,
                              Function ImageFormat::*can) {
@@ -120,22 +119,23 @@ const ImageFormat& format_of(const std::string& name,
   throw FileError("its name ends in none of " + all);
 }
 
-/// Throws a FileError if no image can be written under this name.
+/// Throws a FileError if no image can be written to this name.
 inline void check_writable(const std::string& name) {
   check_file_place(name);
   const ImageFormat& format = format_of(name, &ImageFormat::encode);
   if (format.in_module) image_module(format.ending);
 }
 
-/// Writes the image in the format that the name's ending asks for. Where that
-/// fails, what was there before still is.
+/// Writes the image in the format of the name's ending. If that fails, it
+/// throws a FileError, and the old file is unchanged.
 inline void write_image(const std::string& name, const RenderResult& result,
                         const ToneMapping& mapping) {
   write_file(name,
              format_of(name, &ImageFormat::encode).encode(result, mapping));
 }
 
-/// Reads radiance; what a format does not hold is left empty.
+/// Reads radiance; what a format does not hold stays empty. Throws a
+/// FileError.
 inline RenderResult read_image(const std::string& name) {
   check_is_file(name);
   return format_of(name, &ImageFormat::read).read(name);

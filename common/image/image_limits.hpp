@@ -2,9 +2,9 @@
 
 // # What a file may claim
 //
-// Forty bytes can claim to be a picture of gigabytes. So a header is believed
+// Forty bytes can claim to be a picture of gigabytes. So a header is accepted
 // only if a render could be so large, and if the file has enough bytes for
-// what it claims.
+// what the header claims.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace lightwalk {
 
-/// More pixels than any picture has that a render could have made.
+/// More pixels than any render has.
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 inline constexpr std::int64_t max_side = 65536;
 
@@ -33,8 +33,8 @@ inline void check_size(std::int64_t width, std::int64_t height,
       std::to_string(max_side) + ", and " + std::to_string(most) + " pixels");
 }
 
-/// Throws a FileError where `size` bytes, each of which stands for `packed`
-/// bytes at best, cannot hold a picture of `needed` bytes.
+/// Throws a FileError if `size` bytes, each of which stands for at most
+/// `packed` bytes, cannot hold a picture of `needed` bytes.
 inline void check_packed(std::int64_t width, std::int64_t height,
                          double needed, std::uintmax_t size, double packed) {
   if (needed <= packed * static_cast<double>(size)) return;

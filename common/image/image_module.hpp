@@ -1,8 +1,8 @@
 #pragma once
 
 // The small interface to OpenImageIO, which one compiled file implements: a
-// module that is loaded when the first file needs it. At the start of every
-// program it would cost a second.
+// module that is loaded when the first file needs it. Loading it at the start
+// would cost every program a second.
 
 #include <string>
 #include <string_view>
@@ -35,14 +35,14 @@ struct ImageModule {
 using GetImageModule = const ImageModule*();
 inline constexpr const char* image_module_symbol = "lightwalk_image_module";
 
-/// The module's only function, looked for beside the program; null and the
-/// reason in `error` where there is none.
+/// The module's only function, looked for beside the program; null, with the
+/// reason in `error`, if there is none.
 inline GetImageModule* load_image_module(const char* file,
                                          std::string& error) {
 #ifdef _WIN32
   const HMODULE module = LoadLibraryA(file);
   if (!module) error = std::string("there is no ") + file;
-  // By way of a function without a type: each cast is warned of otherwise.
+  // Through an untyped function: compilers warn of a direct cast.
   return module
              ? reinterpret_cast<GetImageModule*>(reinterpret_cast<void (*)()>(
                    GetProcAddress(module, image_module_symbol)))
@@ -61,8 +61,8 @@ inline GetImageModule* load_image_module(const char* file,
 #endif
 }
 
-/// Loads the module for files that end so. Throws a FileError where there is
-/// none.
+/// Loads the module for files with this ending. Throws a FileError if there
+/// is none.
 inline const ImageModule& image_module(std::string_view ending) {
   const std::string needs = std::string(ending) + " needs OpenImageIO, ";
   if (std::string_view(LIGHTWALK_IMAGE_MODULE).empty()) {
@@ -76,7 +76,7 @@ inline const ImageModule& image_module(std::string_view ending) {
   return *get();
 }
 
-/// Throws the FileError for what the module says went wrong.
+/// Throws a FileError with the module's message, if there is one.
 inline void throw_unless_empty(const std::string& error) {
   if (!error.empty()) throw FileError(error);
 }

@@ -1,10 +1,10 @@
-// The module that programs load for EXR files and for what else OpenImageIO
-// reads: a file of its own, since OpenImageIO's header takes seconds to
-// compile and its libraries a second to load.
+// The module that programs load for EXR files and for other formats of
+// OpenImageIO. It is a file of its own, since OpenImageIO's header takes
+// seconds to compile and its libraries a second to load.
 //
-// In an EXR file of ours the mean radiance is in the channels R, G, B, which
-// every reader shows, and the variance in the layer `variance` beside it, in
-// one part: most readers know but one part.
+// Our EXR files have the mean radiance in the channels R, G, B, which every
+// reader shows, and the variance in the layer `variance`. Both are in one
+// part, since most readers support only one part.
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
@@ -48,7 +48,7 @@ std::string encode_exr(const RenderResult& result, std::string& bytes) {
     }
   }
   spec.attribute("compression", "zip");
-  // Fixed, so that equal renders are equal files.
+  // Fixed, so that equal renders make equal files.
   spec.attribute("DateTime", "2000:01:01 00:00:00");
   spec.attribute("Software", "Lightwalk " + result.info.version + ", " +
                                  result.info.stage);
@@ -75,13 +75,13 @@ std::string encode_exr(const RenderResult& result, std::string& bytes) {
 
 // ## Reading
 
-/// Opens a file as this format and no other: ImageInput::open would hand a
-/// broken file to each of OpenImageIO's readers in turn.
+/// Opens a file as this format and no other: ImageInput::open would try a
+/// broken file with each of OpenImageIO's readers in turn.
 std::unique_ptr<OIIO::ImageInput> open_as(const char* format,
                                           const std::string& name) {
   auto in = OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec, as_stored;
-  // Else each color is multiplied by its alpha.
+  // Otherwise each color is multiplied by its alpha.
   as_stored.attribute("oiio:UnassociatedAlpha", 1);
   if (!in) fail(OIIO::geterror(), "its format is not supported");
   if (!in->open(name, spec, as_stored)) {
@@ -108,8 +108,8 @@ struct Pixels {
   }
 };
 
-/// Reads pixels, upright, and black where the file has none. Throws before
-/// the memory is taken if the file is too small for what it claims.
+/// Reads pixels, upright, and black where the file has none. Throws before it
+/// allocates memory if the file is too small for what it claims.
 template <class Number>
 Pixels<Number> read_pixels(OIIO::ImageInput& in, const std::string& name,
                            OIIO::TypeDesc type, std::int64_t most) {
@@ -141,7 +141,7 @@ Pixels<Number> read_pixels(OIIO::ImageInput& in, const std::string& name,
   return pixels;
 }
 
-/// Where the channels of a layer are, such as "variance."; -1 for missing ones.
+/// The indices of a layer's channels, such as "variance."; -1 if missing.
 Channels layer(const OIIO::ImageSpec& spec, const std::string& name) {
   return {spec.channelindex(name + "R"), spec.channelindex(name + "G"),
           spec.channelindex(name + "B")};

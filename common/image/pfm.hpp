@@ -7,9 +7,9 @@
 // needed, and most viewers of high dynamic range pictures open it.
 //
 // A render's file has a second picture behind the first, the variance of one
-// sample, which other programs do not look for. Comments below its `PF` say
-// what was rendered, a line each: `# seed 7`. The program is not among them:
-// two programs that render the same bits write the same file.
+// sample, which other programs ignore. Comments below its `PF` say what was
+// rendered, a line each: `# seed 7`. They do not name the program: two
+// programs that render the same bits write the same file.
 
 #include <algorithm>
 #include <bit>
@@ -40,7 +40,7 @@ inline std::string encode_pfm(const Image& image,
   return bytes;
 }
 
-/// The mean and, where there is one, the variance.
+/// The mean and, if there is one, the variance.
 inline std::string encode_pfm(const RenderResult& result) {
   std::string comments;
   for (const auto& [name, text] : texts_of(result.info)) {
@@ -57,7 +57,7 @@ struct PfmHeader {
   int width, height;
   std::size_t channels;
   bool big_endian;
-  std::size_t size;        ///< of the header; beyond a file that is cut off
+  std::size_t size;        ///< of the header; past the end of a cut-off file
   std::size_t data_bytes;  ///< of all pixels
   InfoTexts comments;
 };
@@ -146,7 +146,8 @@ inline RenderResult decode_pfm(std::string_view bytes) {
   return result;
 }
 
-/// Of a file that is too long no more is read than is needed.
+/// Reads a PFM file, and of a file that is too long no more than it needs.
+/// Throws a FileError.
 inline RenderResult read_pfm(const std::string& name) {
   const PfmHeader header =
       read_pfm_header(read_file(name, longest_pfm_header));

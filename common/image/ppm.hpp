@@ -53,11 +53,11 @@ class PpmWords {
   explicit PpmWords(const std::string& text)
       : next_(text.data()), end_(next_ + text.size()) {}
 
-  /// The value of the largest number; 1 where no comment has said it.
+  /// The value of the largest number; 1 if no comment gives it.
   float max() const { return max_; }
   bool has_max() const { return has_max_; }
 
-  /// From here on a comment with `#MAX=` comes too late.
+  /// From here on a comment with `#MAX=` is an error.
   void begin_pixels() { in_pixels_ = true; }
 
   std::string_view word() {
@@ -94,7 +94,7 @@ class PpmWords {
     return c == ' ' || (c >= '\t' && c <= '\r');
   }
 
-  /// Takes `#MAX=2.5`, in small letters and with blanks, too.
+  /// Reads `#MAX=2.5`, also in lower case and with blanks.
   void comment() {
     const char* const begin = next_;
     while (next_ < end_ && *next_ != '\n' && *next_ != '\r') ++next_;
@@ -142,7 +142,7 @@ inline PpmSize read_ppm_size(PpmWords& words) {
   return {width, height};
 }
 
-/// `note` tells of a file that does not say what its numbers stand for.
+/// `note` warns of a file that does not say what its numbers stand for.
 inline RenderResult decode_ppm(const std::string& text) {
   PpmWords words(text);
   const auto [width, height] = read_ppm_size(words);
@@ -179,9 +179,9 @@ inline RenderResult decode_ppm(const std::string& text) {
   return result;
 }
 
-/// Of a file that is too long no more is read than is needed: its size stands
-/// in front, and a number takes 11 bytes at most. There is twice as much room
-/// for comments.
+/// Reads a PPM file, and of a file that is too long no more than it needs:
+/// the size is at the beginning, and a number takes at most 11 bytes.
+/// Comments have twice as much room. Throws a FileError.
 inline RenderResult read_ppm(const std::string& name) {
   const std::string start = read_file(name, 1 << 16);
   PpmWords words(start);

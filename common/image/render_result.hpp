@@ -18,7 +18,7 @@ struct PixelSample {
   std::uint32_t sample = 0;  ///< the first is 0
 };
 
-/// Where a picture comes from. Image files carry along what `texts_of` lists.
+/// Where a picture comes from. Image files store what `texts_of` lists.
 struct RenderInfo {
   std::string stage = {};        ///< the program, such as "stage1"
   double samples_per_pixel = 0;  ///< of the pixel that has fewest
@@ -33,17 +33,18 @@ struct RenderInfo {
 };
 
 /// Mean radiance, the variance of one sample, and where both come from. The
-/// variance is empty for a picture that was stored without.
+/// variance is empty for a picture that was stored without. That of a pixel's
+/// mean is `variance` over the pixel's samples.
 struct RenderResult {
-  Image radiance;
-  Image variance;
+  Image radiance;  ///< W/(m^2 sr)
+  Image variance;  ///< (W/(m^2 sr))^2
   RenderInfo info;
-  /// What its reader should say about a file that left a choice.
+  /// What a program should say about a file that leaves something open.
   std::string note = {};
 };
 
 /// What image files say of a render: names, and numbers as text, since many
-/// formats have whole numbers of 32 bits alone.
+/// formats have only 32 bits for a whole number.
 using InfoTexts = std::map<std::string, std::string>;
 
 inline InfoTexts texts_of(const RenderInfo& info) {

@@ -1,7 +1,7 @@
 #include "common/image/stb_images.hpp"
 
-// What a damaged JPEG leaves unset is zero, so that what becomes of it does
-// not depend on what was in the memory before.
+// What a damaged JPEG leaves unset is zero, so that the result does not
+// depend on the old content of the memory.
 #include <cstdlib>
 #define STBI_MALLOC(size) std::calloc(1, size)
 #define STBI_REALLOC(memory, size) std::realloc(memory, size)
@@ -36,8 +36,8 @@ std::string big_endian(std::uint32_t value) {
   return bytes;
 }
 
-/// The chunk gAMA: by which curve the values are stored. An sRGB chunk would
-/// claim another one.
+/// The chunk gAMA: the curve by which the values are stored. An sRGB chunk
+/// would claim another curve.
 std::string gamma_chunk(float gamma) {
   std::string chunk =
       "gAMA" +
@@ -46,8 +46,9 @@ std::string gamma_chunk(float gamma) {
   return big_endian(4) + chunk + big_endian(stbiw__crc32(bytes, 8));
 }
 
-/// stb fills with gray what a JPEG lacks. So we look for the end marker behind
-/// the segments before the data, one of which may have a thumbnail.
+/// stb fills the missing part of a JPEG with gray. So we look for the end
+/// marker behind the segments before the data, for one of these segments may
+/// have a thumbnail.
 bool is_cut_off(const std::string& bytes) {
   if (!bytes.starts_with("\xff\xd8")) return false;
   std::size_t at = 2;
@@ -59,9 +60,9 @@ bool is_cut_off(const std::string& bytes) {
   return bytes.find("\xff\xd9", at) == std::string::npos;
 }
 
-/// Throws where a JPEG's table claims more than the 256 Huffman codes that
-/// there can be: stb 2.27 would write beyond its own table. We look wherever
-/// one may begin.
+/// Throws if a JPEG's table claims more than the 256 Huffman codes that there
+/// can be: stb 2.27 would write beyond its own table. We look wherever such a
+/// table may begin.
 void check_huffman_tables(const std::string& bytes) {
   const auto byte = [&](std::size_t at) -> std::size_t {
     return static_cast<std::uint8_t>(bytes[at]);
@@ -72,7 +73,7 @@ void check_huffman_tables(const std::string& bytes) {
     const std::size_t end =
         begin + 2 + 256 * byte(begin + 2) + byte(begin + 3);
     for (std::size_t at = begin + 4; at < end && at + 17 <= bytes.size();) {
-      if ((byte(at) & 0xec) != 0) break;  // no table
+      if ((byte(at) & 0xec) != 0) break;  // not a table
       std::size_t codes = 0;
       for (std::size_t i = 1; i <= 16; ++i) codes += byte(at + i);
       if (codes > 256) {
@@ -121,8 +122,8 @@ Texture read_png_or_jpeg(const std::string& name) {
     throw FileError("it is no PNG or JPEG that stb can read");
   }
   check_size(texture.width, texture.height, max_texels);
-  // A PNG's pixel takes a bit, and deflate packs 1032 of them into one. A
-  // JPEG has 64 pixels in a bit at best.
+  // A PNG's pixel takes at least a bit, and deflate packs 1032 bits into one.
+  // A JPEG has at most 64 pixels in a bit.
   const double bits = static_cast<double>(texture.width) * texture.height;
   check_packed(texture.width, texture.height, bits / 8, bytes.size(), 1032);
   if (is_cut_off(bytes)) {

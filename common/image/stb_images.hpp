@@ -9,11 +9,11 @@
 
 namespace lightwalk {
 
-/// The bytes of a PNG file with eight bits a channel. The image is in [0, 1]
-/// already, as light to the power of 1 / `gamma`.
+/// The bytes of a PNG file with eight bits per channel. The image must be in
+/// [0, 1], as light to the power of 1 / `gamma`.
 std::string encode_png(const Image& image, float gamma);
 
-/// Reads the colors of a PNG or JPEG file as they are stored, whatever the
+/// Reads the colors of a PNG or JPEG file as they are stored, and ignores
 /// alpha; gray becomes three equal channels. Throws a FileError.
 Texture read_png_or_jpeg(const std::string& name);
 

@@ -9,13 +9,13 @@
 
 namespace lightwalk {
 
-/// Reads a picture of 8 bits a channel, sRGB. `path` is relative to `folder`,
-/// and must not lead out of it: a scene is handed on with its folder,
-/// and should work there. Throws a FileError.
+/// Reads a picture of 8 bits per channel, sRGB. `path` is relative to
+/// `folder`, and must not lead out of it: people pass a scene on with its
+/// folder, and it should work there. Throws a FileError.
 inline Texture load_texture(const std::string& folder,
                             const std::string& path) {
   namespace fs = std::filesystem;
-  // The file system would take the name to end there.
+  // To the file system the name would end there.
   if (path.find('\0') != std::string::npos) {
     throw FileError("its name has a NUL character");
   }

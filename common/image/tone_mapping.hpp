@@ -2,8 +2,8 @@
 
 // # Tone mapping
 //
-// Radiance has no upper end; a screen has. Each step here brings an image
-// nearer to [0, 1], and several may follow one another:
+// Radiance has no upper limit; a screen has one. Each step here brings an
+// image nearer to [0, 1], and several may follow one another:
 //
 // - *clamp* cuts off what is over 1, and a lamp becomes a white patch;
 // - *equalize* divides by the largest value, and one bright pixel may leave
@@ -13,7 +13,7 @@
 // - *reinhard* is $x/(1+x)$, where nothing is ever cut off (Reinhard et al.,
 //   "Photographic Tone Reproduction for Digital Images", SIGGRAPH 2002).
 //
-// All of it is for looking. Files that are measured hold radiance itself.
+// Tone mapping is for viewing. Files for measurements hold radiance itself.
 
 #include <cmath>
 #include <vector>
@@ -28,7 +28,7 @@ struct ToneMapping {
   float exposure = 0;  ///< in stops, before the steps: x 2^exposure
   std::vector<ToneStep> steps{ToneStep::equalize, ToneStep::gamma};
   float gamma = 2.2f;
-  float gamma_before = 1;  ///< by which the image is raised already
+  float gamma_before = 1;  ///< of an image that is gamma-encoded already
 };
 
 /// The largest channel of all pixels; 0 for an image without light.
@@ -71,8 +71,8 @@ inline Image tone_map(Image image, const ToneMapping& mapping) {
   return image;
 }
 
-/// How the image's values stand for light: as light to the power of one over
-/// this. PNG files say it, so that viewers know the curve.
+/// The gamma of the mapped image: its values are light to the power of one
+/// over this. PNG files store it, so that viewers know the curve.
 inline float encoding_gamma(const ToneMapping& mapping) {
   float gamma = mapping.gamma_before;
   for (const ToneStep step : mapping.steps) {

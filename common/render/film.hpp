@@ -4,8 +4,8 @@
 //
 // Each pixel keeps the mean of its samples and how much they scatter about
 // it. The variance says how noisy the pixel is: the mean of $n$ samples is
-// off by about $\sqrt{\mathrm{variance}/n}$, and without that number nobody
-// can say whether two pictures differ or are two throws of the same dice.
+// off by about $\sqrt{\mathrm{variance}/n}$. Without that number we cannot
+// tell whether two pictures differ or are two throws of the same dice.
 // Both are updated sample by sample (Welford, Technometrics 4(3), 1962), in
 // double precision: a float's 24 bits are spent after a few million samples.
 
@@ -24,13 +24,13 @@ namespace lightwalk {
 
 /// The running statistics of one pixel.
 struct Pixel {
-  double mean[3] = {0, 0, 0};
+  double mean[3] = {0, 0, 0};     ///< of the samples, W/(m^2 sr)
   double squares[3] = {0, 0, 0};  ///< sum of squared differences to the mean
   std::uint32_t samples = 0;
   std::uint32_t dropped = 0;        ///< samples that were not finite
   std::uint32_t first_dropped = 0;  ///< number of the first of them
 
-  /// Adds the next sample.
+  /// Adds the next sample, or counts it as dropped if it is not finite.
   void add(const Vec3& radiance) {
     if (!is_finite(radiance)) {
       if (dropped == 0) first_dropped = samples;
@@ -47,7 +47,7 @@ struct Pixel {
     }
   }
 
-  /// The unbiased variance of one sample; 0 below two samples.
+  /// The unbiased variance of one sample, (W/(m^2 sr))^2; 0 below two.
   double variance(int channel) const {
     return samples < 2 ? 0 : squares[channel] / (samples - 1);
   }
@@ -79,7 +79,8 @@ class Film {
   Image radiance() const {
     return image([](const Pixel& p, int c) { return p.mean[c]; });
   }
-  /// Variance of one sample of each pixel.
+  /// Variance of one sample of each pixel, (W/(m^2 sr))^2. That of the mean
+  /// of n samples is 1/n of it.
   Image variance() const {
     return image([](const Pixel& p, int c) { return p.variance(c); });
   }
@@ -100,8 +101,8 @@ class Film {
   std::vector<Pixel> pixels_;
 };
 
-/// The film as a picture. What the film knows is added to `info`: how many
-/// samples there are, and which of them were dropped.
+/// The film as a picture. Adds to `info` how many samples there are, and
+/// which were dropped.
 inline RenderResult develop(const Film& film, RenderInfo info) {
   std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
   for (int row = 0; row < film.height(); ++row) {

@@ -26,7 +26,8 @@ concept RendersTiles = requires(const PathTracer& tracer, const Tile& tile,
   tracer.render_tile(tile, film, stop);
 };
 
-/// Renders tiles with a path tracer of its own. The scene must stay.
+/// A function that renders tiles with its own path tracer. The scene must
+/// outlive it.
 template <class PathTracer>
 TileRenderer tile_renderer(const Scene& scene,
                            const RenderSettings& settings) {
@@ -44,8 +45,9 @@ TileRenderer tile_renderer(const Scene& scene,
   }
 }
 
-/// The picture of a scene, which is prepared first. Ends early, with fewer
-/// samples, where `stop` is set; `progress` may be read meanwhile.
+/// The picture of a scene, which it prepares first. Ends early, with fewer
+/// samples, if `stop` is set; other threads may read `progress` meanwhile.
+/// Throws what the path tracer throws.
 template <class PathTracer>
 RenderResult paint(Scene& scene, const RenderSettings& settings,
                    const std::atomic<bool>& stop, RenderProgress& progress) {
@@ -58,7 +60,7 @@ RenderResult paint(Scene& scene, const RenderSettings& settings,
                         .rays = progress.rays});
 }
 
-/// The same, to its end.
+/// The same, always to the end.
 template <class PathTracer>
 RenderResult paint(Scene& scene, const RenderSettings& settings) {
   const std::atomic<bool> stop{false};

@@ -10,9 +10,9 @@
 // The samples are taken in passes over the whole picture, so that a render
 // that is interrupted leaves a whole picture with fewer samples behind. A
 // pixel has all samples of a pass or none, so that it does not matter which
-// of them take long.
+// samples take long.
 //
-// An exception of a path tracer ends the render. It comes out of `render`,
+// An exception of a path tracer ends the render. `render` throws it again,
 // whichever thread met it.
 
 #include <algorithm>
@@ -43,7 +43,7 @@ struct Tile {
 using TileRenderer =
     std::function<void(const Tile&, Film&, const std::atomic<bool>& stop)>;
 
-/// The light that one sample of a pixel brings to the camera.
+/// The radiance of one sample of a pixel, W/(m^2 sr).
 template <class PathTracer>
 Vec3 sample_radiance(const PathTracer& tracer, const Scene& scene,
                      std::uint64_t seed, const PixelSample& which) {
@@ -69,7 +69,7 @@ LIGHTWALK_FLATTEN void render_tile(const PathTracer& tracer,
             sample_radiance(tracer, scene, seed, {column, row, sample}));
         ++samples_taken;
       }
-      // Where a render is stopped, the last sample may have been cut.
+      // If the render is stopped, the last sample may be incomplete.
       if (stop.load(std::memory_order_relaxed)) return;
       film.pixel(column, row) = pixel;
     }
@@ -80,7 +80,7 @@ LIGHTWALK_FLATTEN void render_tile(const PathTracer& tracer,
 inline constexpr int tile_size = 16;
 inline constexpr std::uint32_t max_samples_in_a_pass = 64;
 
-/// Renders every tile of one pass. Throws what a thread has thrown.
+/// Renders every tile of one pass. Throws the first exception of a thread.
 inline void render_pass(const TileRenderer& render_tile, Film& film,
                         std::uint32_t first, std::uint32_t last, int threads,
                         const std::atomic<bool>& stop,
@@ -118,14 +118,14 @@ inline void render_pass(const TileRenderer& render_tile, Film& film,
     helpers.reserve(static_cast<std::size_t>(useful));
     for (std::int64_t i = 1; i < useful; ++i) helpers.emplace_back(work);
   } catch (const std::exception&) {
-    // The system gives no more threads: those that there are do the work.
+    // The system gives no more threads: the ones that run do the work.
   }
   work();
   for (std::thread& helper : helpers) helper.join();
   errors.rethrow();
 }
 
-/// How many threads `threads` asks for: 0 as many as the machine has.
+/// How many threads `threads` stands for: 0 is as many as the machine has.
 inline int thread_count(int threads) {
   if (threads > 0) return threads;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -140,7 +140,7 @@ inline void render(const TileRenderer& render_tile,
   const auto samples = static_cast<std::uint32_t>(settings.samples_per_pixel);
   std::uint32_t done = 0;
   while (done < samples && !stop) {
-    // As many as there are already, so a first picture is there at once.
+    // As many as are done already, so the first picture is there at once.
     const std::uint32_t more = std::clamp(done, 1u, max_samples_in_a_pass);
     const std::uint32_t last = done + std::min(more, samples - done);
     render_pass(render_tile, film, done, last, threads, stop, progress);

@@ -2,14 +2,14 @@
 
 // # What a render has done, and what ends it
 //
-// A render ends early for two reasons: somebody asked for it, or one of its
-// threads met an exception. Between two pixels it is easy to look whether
-// that is so. But one sample of a tree of paths (stage 3) can take longer
-// than the user's life. So each thread looks every 256 rays as well, and
-// throws `Stopped` out of the sample, which is then not counted.
+// A render ends early for two reasons: the user asked for it, or one of its
+// threads met an exception. Between two pixels it is easy to check for both.
+// But one sample of a tree of paths (stage 3) can take longer than the user's
+// life. So each thread also checks every 256 rays, and throws `Stopped` out
+// of the sample, which is then not counted.
 //
-// Thread and sample are left like any function that throws. Code that catches
-// whatever is thrown may catch it, too: the next look throws again.
+// This unwinds the stack as any exception does. Code that catches everything
+// may catch `Stopped`, too: the next check throws it again.
 
 #include <atomic>
 #include <cstdint>
@@ -26,7 +26,7 @@ struct RenderProgress {
   std::atomic<std::uint64_t> rays{0};
 };
 
-/// Thrown out of a sample that is not wanted any more. It is no
+/// Thrown out of a sample that is not wanted any more. It is not a
 /// std::exception: nothing has gone wrong.
 struct Stopped {};
 
@@ -52,8 +52,8 @@ class FirstException {
   std::exception_ptr exception_;
 };
 
-/// While it lives, this thread works for a render: it adds to the progress,
-/// and its rays end in `Stopped` when the render is over.
+/// While this object lives, its thread works for a render: it adds to the
+/// progress, and its rays throw `Stopped` when the render is over.
 class RenderThread final : public RayWatcher {
  public:
   RenderThread(const std::atomic<bool>& stop, const FirstException& errors,
@@ -73,12 +73,12 @@ class RenderThread final : public RayWatcher {
   }
 
   void look() override {
-    // Not each time: the threads would wait for each other.
+    // Not on each call: the threads would wait for each other.
     if (rays_cast - rays_ >= 0x10000) publish();
     if (is_over()) throw Stopped();
   }
 
-  /// Adds to the progress what this thread has done since the last time.
+  /// Adds to the progress what this thread has done since the last call.
   void publish() {
     progress_.rays += rays_cast - std::exchange(rays_, rays_cast);
     progress_.samples +=

@@ -8,11 +8,11 @@ namespace lightwalk {
 /// How directions over a diffuse surface are drawn.
 enum class Sampling { cosine, uniform };
 
-/// No path has more bounces than this, whatever it was allowed.
+/// No path has more bounces than this, whatever the settings allow.
 inline constexpr int bounce_cap = 4096;
 
-/// What a render is made with, beside its scene. The picture's size is the
-/// camera's.
+/// What a render is made with, besides its scene. The camera has the size of
+/// the picture.
 struct RenderSettings {
   int samples_per_pixel = 64;
   int max_bounces = bounce_cap;
