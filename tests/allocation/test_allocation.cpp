@@ -1,5 +1,5 @@
-// No stage asks for memory per ray or per sample: it would be the slowest
-// thing that it does, and threads would wait for each other over it.
+// No stage allocates memory per ray or per sample: that would be its slowest
+// step, and threads would wait for each other.
 
 #include <doctest/doctest.h>
 
@@ -32,7 +32,7 @@ using namespace lightwalk::tests;
 
 namespace {
 
-/// What a renderer asks for to render 64 x 64 pixels with some samples each.
+/// What a renderer allocates to render 64 x 64 pixels with some samples each.
 template <class PathTracer>
 long allocations_of(const Scene& scene, std::uint32_t samples) {
   const TileRenderer render =
@@ -56,7 +56,8 @@ TEST_CASE("the count of allocations counts") {
 TEST_CASE("no stage allocates memory per sample, and at most once per tile") {
   std::vector<std::string> names;
   for_each_stage([&]<class PathTracer>(int stage) {
-    // A stage that paints what the one before does has no images of its own.
+    // A stage with the pictures of the previous stage has no images of its
+    // own.
     if (const auto own = golden_names(stage); !own.empty()) names = own;
     CHECK_FALSE(names.empty());
     for (const std::string& name : names) {

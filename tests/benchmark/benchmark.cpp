@@ -1,6 +1,6 @@
-// What rendering costs: samples and rays per second of each stage, of the
-// parts that a path is made of, and against the size of everything that has
-// one. The names are stage/scene/threads, or part/size.
+// The cost of rendering: samples and rays per second of each stage, the time
+// of the parts of a path, and how both grow with the size of their input. The
+// names are stage/scene/threads, or part/size.
 
 #include <benchmark/benchmark.h>
 
@@ -21,7 +21,7 @@ struct Work {
   int size = 128, samples = 4, threads = 1, bounces = bounce_cap;
 };
 
-/// Paints until the time is up, and reports samples and rays per second.
+/// Renders until the time is up, and reports samples and rays per second.
 template <class PathTracer>
 void time_of_painting(benchmark::State& state, Scene& scene,
                       const Work& work) {
@@ -68,7 +68,7 @@ Vec3 random_position(Random& random) {
   return 2.0f * Vec3(xy.x, xy.y, z) - 1.0f;
 }
 
-/// The lab's box without its balls, with `count` small shapes afloat in it.
+/// The lab's box without its balls, with `count` small shapes floating in it.
 Scene crowded_box(std::int64_t count, bool triangles) {
   Scene scene;
   Material white;
@@ -163,7 +163,7 @@ BENCHMARK_CAPTURE(hemisphere, uniform, stage1::sample_uniform_hemisphere);
 BENCHMARK_CAPTURE(hemisphere, cosine, stage1::sample_cosine_hemisphere);
 BENCHMARK(random_number);
 
-// What grows, and by how much.
+// What grows with size, and how much.
 BENCHMARK_CAPTURE(cost_of, image_size, &Work::size)
     ->RangeMultiplier(4)
     ->Range(16, 256)

@@ -42,7 +42,7 @@ RenderSettings settings(int max_bounces, Sampling sampling) {
 
 }  // namespace
 
-// Every direction above the floor meets the sky, so L = kd/pi * ke * pi.
+// Every direction above the floor hits the sky, so L = kd/pi * ke * pi.
 // With density cos/pi the weight is kd, whatever the direction: no noise.
 TEST_CASE("a floor under a uniform sky is kd ke, in every single sample") {
   const Scene scene = scene_text(floor_and_ceiling);
@@ -162,7 +162,7 @@ TEST_CASE("red and blue swapped in the scene are swapped in the radiance") {
   const auto cosine = settings(1, Sampling::cosine);
   const Vec3 one = PathTracer(scene, cosine).radiance(down, a);
   const Vec3 other = PathTracer(swapped, cosine).radiance(down, b);
-  check_color("the same colors, and the other way round", one,
+  check_color("the same colors, with red and blue swapped", one,
               Vec3(other.z, other.y, other.x), 0);
 }
 

@@ -1,5 +1,5 @@
-// What a path does from one surface to the next: where it starts again, which
-// side it is on, which numbers it draws.
+// What a path does from one surface to the next: where the next ray starts,
+// on which side, and with which random numbers.
 
 #include <doctest/doctest.h>
 
@@ -74,8 +74,9 @@ TEST_CASE("a wall scatters to the side that it is seen from") {
   }
 }
 
-// Every direction that leaves the surface meets white, so every sample is kd.
-// One that hits the surface again has used up its bounce, and brings nothing.
+// Every direction that leaves the surface hits white, so every sample is kd.
+// A ray that hits the surface again has used up its bounce, and brings
+// nothing.
 TEST_CASE("a floor has no dark spots where rays hit it again") {
   const Scene slanted =
       scene_text(materials + plane("[0.48, 0.6, 0.64]", "10000", "floor") +
@@ -99,7 +100,7 @@ TEST_CASE("a floor has no dark spots where rays hit it again") {
   round.check("kd ke of a ball in a white room");
 }
 
-// The plate lies just over the floor, and what lies beneath it is dark.
+// The plate lies just over the floor, and the floor below it is dark.
 TEST_CASE("no light leaks through a crack a hundredth wide") {
   const Scene scene = scene_text(
       materials + plane("[0, 1, 0]", "0", "floor") +
@@ -112,10 +113,10 @@ TEST_CASE("no light leaks through a crack a hundredth wide") {
   }
 }
 
-// A wall that shines stands to one side of the floor, and beyond the other
-// there is nothing. Half of the directions meet the wall, whatever their
-// angle: a sample is kd ke or 0, each with probability 1/2. With cosine
-// sampling the mean is kd ke / 2, and the variance (kd ke)^2 / 4.
+// A wall that shines stands at one side of the floor; the other side is open.
+// Half of the directions hit the wall, whatever their angle: a sample is kd
+// ke or 0, each with probability 1/2. With cosine sampling the mean is kd ke
+// / 2, and the variance (kd ke)^2 / 4.
 TEST_CASE("a floor seen from anywhere under half a sky is half as bright") {
   const char* walls[] = {"[-1, 0, 0]", "[1, 0, 0]", "[0, 0, -1]", "[0, 0, 1]",
                          "[3, 0, 4]"};

@@ -1,5 +1,5 @@
-// Whole pictures against each other: no number is known in advance, but two
-// ways to compute the same picture must agree.
+// Compares whole pictures: no number is known in advance, but two ways to
+// compute the same picture must agree.
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,5 @@
-// The samplers against the densities they claim, and both against the BRDF.
+// Compares the samplers with the densities they claim, and both with the
+// BRDF.
 
 #include <doctest/doctest.h>
 

@@ -40,7 +40,7 @@ std::string point_light(const std::string& center,
          "\nintensity = " + intensity + "\n";
 }
 
-/// A ray straight down onto (x, 0, 0), too close for a light to be in the way.
+/// A ray straight down onto (x, 0, 0), from below all lights.
 Ray onto(float x) {
   return {{x, 0.005f, 0}, {0, -1, 0}};
 }
@@ -54,7 +54,7 @@ Vec3 one_sample(const Scene& scene, const Ray& ray, int max_bounces) {
 
 // Inside a sphere of radius 1 with kd = 1/2, a point light of intensity pi at
 // the center gives each point of the wall kd/pi * pi / 1^2 = 1/2, and each
-// further bounce half of the one before: 1/2 + 1/4 + ... = 1 - 2^-N.
+// further bounce half of the previous one: 1/2 + 1/4 + ... = 1 - 2^-N.
 TEST_CASE("a light at the center of a sphere: 1 - 2^-N after N bounces") {
   const Scene scene = scene_text(R"(
 [materials]
@@ -72,8 +72,8 @@ material = "wall"
   }
 }
 
-// Over a point at distance r from the one below the light, the light is at
-// distance sqrt(h^2 + r^2) and cos = h / sqrt(h^2 + r^2).
+// Seen from a point at distance r from the point below the light, the light
+// is at distance sqrt(h^2 + r^2) and cos = h / sqrt(h^2 + r^2).
 TEST_CASE("a point light at height h over a plane: kd/pi I h/(h^2+r^2)^1.5") {
   const Scene scene =
       scene_text(floor_only + point_light("[0, 2, 0]", "[1, 2, 3]"));
@@ -92,7 +92,7 @@ TEST_CASE("two lights are the sum of each, and two halves are the whole") {
   };
   const DoubleVec3 a(with(point_light("[0, 2, 0]", "3")));
   const DoubleVec3 b(with(point_light("[1, 1, 1]", "1")));
-  // In the mean: one of two lights may be asked, and counts twice.
+  // On average: a program may sample one of two lights and count it twice.
   const auto check = [](const char* what, const std::string& lights,
                         const DoubleVec3& expected) {
     check_radiance<PathTracer>(what, scene_text(floor_only + lights),
@@ -192,7 +192,7 @@ TEST_CASE("a sphere above the floor: kd ke cos (r/d)^2, near and far") {
     const PathTracer tracer(scene, bounces(1));
     const Pixel pixel = estimate(tracer, onto(0), 100'000);
     const double truth = 0.5 * 4 * one.form_factor;
-    // Far away all directions are one, and only rounding is left.
+    // Far away all directions are the same, and only rounding is left.
     check_mean("kd ke cos (r/d)^2 of a ball at " + one.center, pixel, 0,
                truth, 1e-4);
   }
@@ -247,7 +247,7 @@ TEST_CASE("the camera sees lamps as bright as they are") {
   }
 }
 
-// Stage 2 cannot ask a plane, so it must find its light as stage 1 does.
+// Stage 2 cannot sample a plane, so its paths must hit it, as in stage 1.
 TEST_CASE("a floor under an emitting plane is kd ke") {
   const Scene scene = scene_text(std::string(floor_only) + R"([[shapes]]
 type = "plane"

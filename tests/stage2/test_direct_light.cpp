@@ -1,4 +1,4 @@
-// Direct light at one point, asked for without a path around it.
+// Direct light at one point, without a path around it.
 
 #include <doctest/doctest.h>
 
@@ -16,8 +16,7 @@ TEST_SUITE_BEGIN("units");
 
 namespace {
 
-/// What the lights bring to the surface that a ray meets, in the mean, where
-/// `direct_light` is asked alone.
+/// The statistics of `direct_light` at the surface that a ray hits.
 Pixel lit(const Scene& scene, const Ray& ray, int samples) {
   const std::optional<Hit> hit = scene.nearest_hit(ray);
   REQUIRE(hit.has_value());
@@ -30,7 +29,7 @@ Pixel lit(const Scene& scene, const Ray& ray, int samples) {
   return pixel;
 }
 
-/// The same by paths of one bounce, which may find a lamp, too.
+/// The same by paths of one bounce, which may also hit a lamp.
 Pixel lit_by_paths(const Scene& scene, const Ray& ray, int samples) {
   const stage2::PathTracer tracer(scene, {.max_bounces = 1});
   Random random(3, 1, 4);
@@ -53,9 +52,9 @@ double from_square(double from, double height) {
 // first square and the second ball, green from the second square, blue from
 // the first ball.
 //
-// A program may ask lamps and find them, too, and give both a weight, of which
-// the sum is 1 (multiple importance sampling). Then less is asked for, and
-// what paths of one bounce find is the rest.
+// A program may sample lamps and also count them when hit, with weights whose
+// sum is 1 (multiple importance sampling). Then `direct_light` is less, and
+// paths of one bounce bring the rest.
 TEST_CASE("direct light has its share from lamps of each type") {
   const Scene scene = scene_text(
       "[materials]\nfloor = { kd = 0.5 }\nred = { ke = [4, 0, 0] }\n"
@@ -85,7 +84,7 @@ TEST_CASE("direct light has its share from lamps of each type") {
   CHECK(pixel.variance(1) > 0);
 }
 
-// Rays from the light: each point that they meet is seen by the light.
+// Rays from the light: each point that they hit is seen by the light.
 TEST_CASE("direct light is not shaded by the surface that it falls on") {
   struct Case {
     const char* name;

@@ -1,4 +1,4 @@
-// Points on lamps: where they lie, how often, and what each of them is worth.
+// Points on lamps: where they lie, how often, and the weight of each.
 
 #include <doctest/doctest.h>
 
@@ -49,8 +49,8 @@ class Square {
   std::vector<double> observed_ = std::vector<double>(size * size + 1);
 };
 
-/// Adds up weights over the unit square, for samplers that choose some of its
-/// points more often and give each of them less weight.
+/// Adds up weights over the unit square, for samplers that choose some points
+/// more often and give those less weight.
 class WeighedSquare {
  public:
   void add(double s, double t, double weight) {
@@ -63,8 +63,8 @@ class WeighedSquare {
     sums_[cell] += weight;
     squares_[cell] += weight * weight;
   }
-  /// How likely sums are that are as far from even, where `mean` is the
-  /// weight that a sample should have in the mean. 0 if any was outside.
+  /// The probability of sums at least as uneven as these, where `mean` is the
+  /// mean weight that a sample should have. 0 if any was outside.
   double p_value(double mean) const {
     const double expected = mean * samples / (size * size);
     double statistic = 0;
@@ -88,7 +88,7 @@ const RectangleLight slanted{{1, 2, 3}, {2, 0, 1}, {0.5f, 1, 0}, Vec3(4)};
 }  // namespace
 
 // point = corner + s edge_u + t edge_v; s and t come back by the two vectors
-// that are square to the other edge and to the normal.
+// that are perpendicular to the other edge and to the normal.
 TEST_CASE("points on a rectangle are chosen evenly") {
   const Vec3 x(9, -3, 5);
   const Vec3 normal = cross(slanted.edge_u, slanted.edge_v);
@@ -134,7 +134,7 @@ TEST_CASE(
         sample_light(PointLight{center, Vec3(1)}, x, Vec2(0.5f));
     const float distance = length(center - x);
     INFO("a light at ", center, ", seen from ", x, ", is ", distance,
-         " away; its answer has the direction ", one.direction,
+         " away; its sample has the direction ", one.direction,
          " and the distance ", one.distance);
     CHECK(length(one.direction - (center - x) / distance) < 1e-5f);
     // Rounding is in proportion to the coordinates, and so is the margin.
@@ -154,7 +154,7 @@ double solid_angle(const Vec3& x, const Vec3& p, const Vec3& q,
   return 2 * std::atan2(volume, 1 + dot(a, b) + dot(b, c) + dot(c, a));
 }
 
-/// The mean weight of a lamp's answers at x, in the first channel.
+/// The weights of a lamp's samples at x.
 template <class Lamp>
 Pixel weights_at(const Lamp& lamp, const Vec3& x) {
   Random random(9, 0, 0);
@@ -165,7 +165,8 @@ Pixel weights_at(const Lamp& lamp, const Vec3& x) {
   return weights;
 }
 
-// L_e / p in the mean is L_e times the solid angle, however points are chosen.
+// The mean of L_e / p is L_e times the solid angle, however points are
+// chosen.
 TEST_CASE("a rectangle's mean weight is L_e times its solid angle") {
   const Vec3& a = slanted.corner;
   const Vec3 b = a + slanted.edge_u, c = b + slanted.edge_v,
@@ -176,7 +177,7 @@ TEST_CASE("a rectangle's mean weight is L_e times its solid angle") {
     if (dot(x - a, normal) < 0) x -= 2 * dot(x - a, normal) * normal;
     x += 0.5f * normal;
     INFO("seen from ", x);
-    check_mean("L_e A cos'/d^2 in the mean, L_e = 4", weights_at(slanted, x),
+    check_mean("the mean of L_e A cos'/d^2, L_e = 4", weights_at(slanted, x),
                0, 4 * (solid_angle(x, a, b, c) + solid_angle(x, a, c, d)));
     const Vec3 behind = x - 2 * dot(x - a, normal) * normal;
     const Pixel back = weights_at(slanted, behind);
@@ -213,7 +214,7 @@ TEST_CASE("a point light gives I/d^2 to what faces it") {
               power / 36.0f);
 }
 
-// Far away all points have one distance and one angle, and A = |u x v| = 6.
+// Far away all points have the same distance and angle, and A = |u x v| = 6.
 TEST_CASE("a slanted lamp has the area of its parallelogram") {
   const RectangleLight lamp{{0, 1000, 0}, {2, 0, 0}, {1, 0, 3}, Vec3(4)};
   const LightSample one = sample_light(lamp, Vec3(0), Vec2(0.3f, 0.6f));
@@ -223,8 +224,8 @@ TEST_CASE("a slanted lamp has the area of its parallelogram") {
 
 // Equal solid angles about the axis are equal steps of 1 - cos(theta), up to
 // that of the cone, and equal steps of the azimuth. They have equal shares of
-// the weight, which is ke times the cone's solid angle in the mean. Points may
-// be chosen in other ways, too, and then have weights of their own.
+// the weight, whose mean is ke times the cone's solid angle. Points may be
+// chosen in other ways, too, with other weights.
 TEST_CASE("directions to a sphere fill its cone evenly") {
   for (const SphereLight& lamp : {SphereLight{{0, 2, 0}, 1, Vec3(3)},
                                   SphereLight{{3, 4, 0}, 2, Vec3(3)},
@@ -310,7 +311,7 @@ TEST_CASE("no lamp shades itself") {
       if (is_black(one.weight)) continue;
       ++facing;
       INFO("from ", x, " to ", x + one.distance * one.direction,
-           ": the shadow ray to a lamp with nothing before it is blocked");
+           ": the shadow ray to an unobstructed lamp is blocked");
       REQUIRE(scene.reaches({x, one.direction}, one.distance, light));
     }
   }

@@ -1,5 +1,5 @@
-// A light may hang in a surface, lie on it or touch it. The surface is then
-// not in its way: the floor below is as bright as without it, in every
+// A light may hang in a surface, lie on it or touch it. Then the surface does
+// not block it: the floor below is as bright as without the surface, in every
 // sample. A light just behind a surface does not shine through it at all.
 
 #include <doctest/doctest.h>
@@ -34,8 +34,8 @@ struct Place {
 };
 
 /// A floor at y = -1, a black surface at y = 1 over it, and a light that is
-/// `above` the surface: its center, or of a ball the point that is nearest to
-/// the surface. A ball with `above` = 0 hangs below it and touches it.
+/// `above` the surface: its center, or for a ball its point nearest to the
+/// surface. A ball with `above` = 0 hangs below it and touches it.
 Scene lit_floor(const Place& place, Cover cover, Lamp lamp, float above) {
   Scene scene;
   Material matte, black, shining;
@@ -95,7 +95,7 @@ void for_each_place(Test test) {
   }
 }
 
-/// What arrives at the floor, sample by sample, from the lamps alone.
+/// The direct light of the lamps at the floor, sample by sample.
 std::vector<float> floor_samples(const Scene& scene, const Place& place) {
   RenderSettings settings;
   settings.max_bounces = 1;

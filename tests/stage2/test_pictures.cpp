@@ -1,4 +1,4 @@
-// Stage 2 against stage 1: next-event estimation changes the noise of a
+// Compares stage 2 with stage 1: next-event estimation changes the noise of a
 // picture, and nothing else.
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ TEST_CASE("sampling the lamps gives the picture that hitting them gives") {
   struct Case {
     std::string scene;
     int max_bounces;
-    bool calmer;  // whether there is a lamp to ask
+    bool calmer;  // whether there is a lamp to sample
   };
   const Case cases[] = {{"cornell_box_lamp_diffuse", 1, true},
                         {"cornell_box_lamp_diffuse", 2, true},
@@ -38,7 +38,7 @@ TEST_CASE("sampling the lamps gives the picture that hitting them gives") {
     const double ratio = variance_ratio(asked, found);
     INFO("the variance is ", ratio,
          " times that of stage 1, expected less than half: are the lamps "
-         "asked at all?");
+         "sampled at all?");
     CHECK(ratio < 0.5);
   }
 }

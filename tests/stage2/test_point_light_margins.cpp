@@ -1,6 +1,6 @@
 // The shadow ray to a point light ends a little before it: by more than
-// rounding, also where the light is at the origin, and by little enough that
-// what stands before the light is met.
+// rounding, also where the light is at the origin, and by little enough to
+// hit what stands before the light.
 
 #include <doctest/doctest.h>
 
@@ -67,7 +67,7 @@ TEST_CASE("a point light at the origin, in a wall, lights what faces it") {
     const int count = lit.places_with_light();
     CHECK_MESSAGE(count == 1000, (1000 - count),
                   " of 1000 places on the floor are dark: the wall that the "
-                  "light hangs in is in its way");
+                  "light hangs in blocks it");
   }
 }
 

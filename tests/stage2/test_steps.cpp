@@ -36,8 +36,8 @@ radius = 0.25
 material = "floor"
 )";
 
-/// What `direct_light` adds at the origin, with the light at `center`, in so
-/// many samples.
+/// What `direct_light` adds at the origin, with the light at `center`, in
+/// `samples` samples.
 Pixel asked_often(const std::string& center, const std::string& more,
                   int samples) {
   const Scene scene =
@@ -54,13 +54,13 @@ Pixel asked_often(const std::string& center, const std::string& more,
   return pixel;
 }
 
-/// The same of one sample: with one point light nothing is left to chance.
+/// The same of one sample: with one point light nothing is random.
 Vec3 asked(const std::string& center, const std::string& more = "") {
   const Pixel pixel = asked_often(center, more, 1);
   return Vec3(pixel.mean[0], pixel.mean[1], pixel.mean[2]);
 }
 
-/// Whether an emission that a path finds straight ahead was counted before.
+/// Whether an emission that a path hits straight ahead was counted already.
 bool counted(const std::string& shape, bool direct_light_added) {
   const Scene scene =
       scene_text("[materials]\nlamp = { ke = 1 }\n[[shapes]]\n" + shape +
@@ -82,7 +82,7 @@ constexpr const char* wall =
 
 }  // namespace
 
-// In the mean: a program may draw one of the lights for each sample.
+// On average: a program may draw one of the lights for each sample.
 TEST_CASE("direct light is the sum over all lights, and 0 without any") {
   const std::string other =
       "[[lights]]\ntype = \"point\"\nintensity = [4, 0, 1]\n"
@@ -140,7 +140,7 @@ TEST_CASE(
         Case{window, "rectangle", false, false},
         Case{wall, "plane", false, false}}) {
     INFO("a ", one.name, " is hit, and direct light was ",
-         one.added ? "added" : "not added", " at the surface before");
+         one.added ? "added" : "not added", " at the previous surface");
     CHECK(counted(one.shape, one.added) == one.expected);
   }
 }

@@ -1,5 +1,5 @@
-// Surfaces under lights: which side is lit, what shades them, and what each
-// lamp adds to the others.
+// Surfaces under lights: which side is lit, what casts shadows on them, and
+// what each lamp adds.
 
 #include <doctest/doctest.h>
 
@@ -62,9 +62,9 @@ double form_factor(double a, double b, double h) {
 
 }  // namespace
 
-// One plane, far from the origin, on which nothing casts a shadow, and which
-// sees nothing of itself: each point has its direct light and no more, however
-// many bounces are allowed.
+// One plane, far from the origin, without shadows, which does not see itself:
+// each point has its direct light and no more, however many bounces are
+// allowed.
 TEST_CASE("a lit wall has no dark spots where it shades itself") {
   Scene scene =
       scene_text(materials + plane("[0.48, 0.6, 0.64]", "1000", "floor"));
@@ -98,8 +98,8 @@ TEST_CASE("a plate a hundredth over the floor shades it") {
               PathTracer(scene, bounces(4)).radiance(down, random), Vec3(0));
 }
 
-// The same at the other end of the shadow ray. A black shell about a ball that
-// shines is before all of it.
+// The same at the other end of the shadow ray. A black shell around a ball
+// that shines hides all of it.
 TEST_CASE("a plate just before a lamp hides it") {
   const std::string ball =
       "[[shapes]]\ntype = \"sphere\"\ncenter = [0, 3, 0]\nradius = ";
@@ -119,8 +119,8 @@ TEST_CASE("a plate just before a lamp hides it") {
   }
 }
 
-// No ray can meet a point, but it meets the ceiling there, a little before or
-// a little behind it as rounding will have it.
+// No ray can hit a point, but the shadow ray hits the ceiling there, a little
+// before or behind the light, depending on rounding.
 TEST_CASE("a point light in a ceiling is not shaded by it") {
   const Vec3 normal(0.48f, 0.6f, 0.64f);
   Scene scene =
@@ -159,7 +159,7 @@ TEST_CASE("no light from outside gets into a ball") {
 }
 
 // From above the wall is lit, from below it is not; its own normal does not
-// come into it. The light is 2 away: kd/pi I / 4.
+// matter. The light is 2 away: kd/pi I / 4.
 TEST_CASE("a thin wall is lit on the side that it is seen from") {
   for (const std::string normal : {"[0, 1, 0]", "[0, -1, 0]"}) {
     CAPTURE(normal);
@@ -190,13 +190,13 @@ TEST_CASE("a thin wall does not glow in the light of a lamp behind it") {
                     tracer.radiance({{0, -1, 0}, {0, 1, 0}}, random),
                     Vec3(0));
     }
-    INFO("a wall before this lamp is black\n", lamp);
+    INFO("a wall under this lamp is black\n", lamp);
     CHECK(estimate(tracer, down, 100).mean[0] > 0);
   }
 }
 
 // The lamp stands upright, half of it below the floor's horizon. That half
-// does not count: neither does it light, nor does it take light away.
+// neither adds nor subtracts light.
 TEST_CASE("a lamp half below the horizon gives what its upper half gives") {
   const auto lit_by = [](const std::string& lamp) {
     const Scene scene =
@@ -227,7 +227,7 @@ TEST_CASE("a lamp of four parts: kd ke 4 F, each part counted once") {
   check_mean("kd ke 4 F", pixel, 0, truth);
 }
 
-// Triangles cannot be asked, so their light is found by hits, and counts.
+// Triangles cannot be sampled, so their light counts when a path hits them.
 TEST_CASE("a lamp of two triangles gives what its rectangle gives") {
   const Scene scene = scene_text(
       materials + plane("[0, 1, 0]", "0", "floor") +
@@ -240,8 +240,8 @@ TEST_CASE("a lamp of two triangles gives what its rectangle gives") {
   check_mean("kd ke F", pixel, 0, truth);
 }
 
-// What a point of a lamp is worth depends on where it lies, so a hundred
-// samples are a hundred numbers, but for a few that rounding makes equal.
+// The contribution of a lamp's point depends on where it lies, so a hundred
+// samples are a hundred numbers, except for a few that rounding makes equal.
 TEST_CASE("each sample chooses another point of the lamp") {
   for (const std::string& lamp :
        {rectangle("[0, 0.8, 0]", "[1.5, 0, 0]", "[0, 0, 0.7]"),

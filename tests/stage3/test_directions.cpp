@@ -84,7 +84,7 @@ TEST_CASE("Snell's law, into glass and out of it") {
     REQUIRE(wi.has_value());
     REQUIRE_MESSAGE(dot(*wi, up) < 0, "wi = ", *wi, " for the normal ", up,
                     ": n . wi is ", dot(*wi, up),
-                    ", expected below 0, for wi leads behind the surface");
+                    ", expected below 0: wi leads behind the surface");
     check_value(
         "sin theta_i = eta_o/eta_i sin theta_o: theta_i in degrees "
         "for theta_o = " +

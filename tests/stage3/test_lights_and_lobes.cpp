@@ -1,4 +1,4 @@
-// Next-event estimation where there are mirrors and glass.
+// Next-event estimation with mirrors and glass.
 
 #include <doctest/doctest.h>
 
@@ -37,7 +37,7 @@ constexpr const char* point_light =
 
 TEST_CASE("a point light does not light a mirror, nor glass") {
   check_color(
-      "the light of a point in a mirror, which no ray meets",
+      "the light of a point in a mirror, which no ray hits",
       one_sample(scene_text(floor_of("{ ks = 1 }") + point_light), down, 8),
       Vec3(0));
   check_color(
@@ -68,9 +68,9 @@ TEST_CASE("a lamp is seen in a mirror as bright as it is") {
   }
 }
 
-// The mirrored ray goes straight up and misses the lamp; what is refracted
-// meets nothing. So only the diffuse part brings light, asked for or found,
-// but not both: kd ke cos (r/d)^2.
+// The mirrored ray goes straight up and misses the lamp; the refracted ray
+// hits nothing. So only the diffuse part brings light, sampled or hit, but
+// not both: kd ke cos (r/d)^2.
 TEST_CASE("a diffuse wall under a lamp: kd ke F, counted once") {
   for (const char* material :
        {"{ kd = 0.5 }", "{ kd = 0.5, ks = 0.2, kt = 0.1 }"}) {
@@ -91,8 +91,8 @@ TEST_SUITE_END();
 
 TEST_SUITE_BEGIN("relations");
 
-// Without mirrors and glass stage 3 is stage 2. Both draw the same numbers, so
-// even the noise is the same, but for rounding.
+// Without mirrors and glass stage 3 is stage 2. Both draw the same numbers,
+// so even the noise is the same, up to rounding.
 TEST_CASE("without specular lobes the picture is stage 2's") {
   for (const std::string name :
        {"cornell_box_point_diffuse", "cornell_box_lamp_diffuse",

@@ -1,5 +1,5 @@
-// In a room that is equally bright in all directions, what loses no light
-// cannot be seen.
+// In a room that is equally bright in all directions, what loses no light is
+// invisible.
 
 #include <doctest/doctest.h>
 
@@ -23,7 +23,7 @@ RenderSettings bounces(int max_bounces) {
   return settings;
 }
 
-/// Every ray at the thing must bring `expected`, or else all in the mean.
+/// Every ray at the thing must bring `expected`, or at least all on average.
 void check_all_rays(const Scene& scene, int max_bounces, double expected) {
   const PathTracer tracer(scene, bounces(max_bounces));
   EachOrMean all(expected, 1e-5);
@@ -61,9 +61,9 @@ TEST_CASE("a glass ball with kt = 0.9 shows 0.81 of the room") {
   check_all_rays(in_white_room("{ kt = 0.9 }", ball("thing")), 8, 0.81);
 }
 
-// A ray that has entered a cube by one face meets another one beyond the
-// critical angle as a rule, and turns until it finds a way out. Some never do:
-// those that are still inside after 60 bounces are left out.
+// A ray that has entered a cube through one face usually hits another one
+// beyond the critical angle, and is reflected until it finds a way out. Some
+// never do: those that are still inside after 60 bounces are left out.
 TEST_CASE("a glass cube in a white room is invisible") {
   const Scene scene = in_white_room("{ kt = 1 }", cube("thing"));
   const PathTracer tracer(scene, bounces(60));
@@ -74,17 +74,17 @@ TEST_CASE("a glass cube in a white room is invisible") {
     const Ray ray = ray_at_thing(random);
     const float radiance = tracer.radiance(ray, random).x;
     all.add(radiance);
-    if (radiance == 0) continue;  // kept inside
+    if (radiance == 0) continue;  // still inside
     ++seen;
     not_kept.add(radiance);
   }
   INFO(seen, " of 20000 rays find out of the cube, expected over 10000");
   CHECK(seen > 1000);
-  // By roulette paths may end early, for which others count more.
+  // With roulette paths may end early, and others count more.
   (not_kept.wrong().empty() ? not_kept : all).check("rays at the cube");
 }
 
-// Outside radiance 1 is 1.5^2 inside.
+// A radiance of 1 outside is 1.5^2 inside.
 TEST_CASE("seen from inside glass the room has radiance 2.25") {
   const Scene scene = in_white_room("{ kt = 1 }", ball("thing"));
   const PathTracer tracer(scene, bounces(8));
@@ -98,7 +98,7 @@ TEST_CASE("seen from inside glass the room has radiance 2.25") {
   }
 }
 
-// Beyond the critical angle, in a glass ball, the ray is reflected for ever.
+// Beyond the critical angle, in a glass ball, the ray is reflected forever.
 TEST_CASE(
     "a path that is totally reflected forever brings nothing, and ends") {
   const Scene scene = in_white_room("{ kt = 1 }", ball("thing"));
@@ -151,7 +151,7 @@ TEST_CASE("each material has its own eta") {
 }
 
 // Between two mirrors a path has no end. Each ray but the first follows a
-// bounce, so there are 65 at most, however many bounces are asked for.
+// bounce, so there are 65 at most, whatever max_bounces is.
 TEST_CASE("a path never makes more than 64 bounces") {
   const Scene scene = scene_text(
       "[materials]\nmirror = { ks = 1 }\n[[shapes]]\ntype = \"plane\"\n"

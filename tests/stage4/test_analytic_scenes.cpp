@@ -41,15 +41,15 @@ std::vector<double> survivals() {
   return result;
 }
 
-// Each hit brings kd = 1/2 times the throughput, and the throughput grows by
-// kd / p_n where the path goes on, with probability p_n. So what hit n and all
-// later ones bring, X_n, has the mean 1 and
+// Each hit brings kd = 1/2 times the throughput, and the throughput is
+// multiplied by kd / p_n where the path goes on, with probability p_n. So
+// X_n, what hit n and all later hits bring, has the mean 1 and
 //
 //     E[X_n^2] = kd^2 + 2 kd kd + kd^2 / p_n  E[X_n+1^2].
 //
 // For p = kd = 1/2 the variance is 1/2. Roulette that is switched off has the
 // same mean and no variance. More noise is a matter of taste (lights may be
-// asked in the diffuse event alone), less is a mistake.
+// sampled only in the diffuse event), less is a mistake.
 TEST_CASE(
     "roulette has the mean 1, and at least the variance of absorption") {
   const Scene scene = scene_text(lit_sphere("0.5"));
@@ -89,7 +89,7 @@ TEST_CASE("paths end as often as their probabilities say") {
     alive *= p;
   }
   const Pixel hits = hits_inside("0.5");
-  INFO("a path has ", hits.mean[0], " hits in the mean, expected ", expected,
+  INFO("a path has ", hits.mean[0], " hits on average, expected ", expected,
        " or fewer");
   CHECK(hits.mean[0] <=
         expected + 4.4 * std::sqrt(hits.variance(0) / hits.samples));
@@ -101,7 +101,7 @@ TEST_CASE("without a bound all the light is there") {
   const Pixel pixel = estimate(PathTracer(scene, {}), inside, 200'000);
   const double truth[] = {4, 2.0 / 3, 1.0 / 9};
   for (int c = 0; c < 3; ++c) {
-    // Where nearly all paths agree, it is rounding that sets them apart.
+    // Where nearly all paths agree, they differ only by rounding.
     check_mean(
         "kd + kd^2 + ... = kd / (1 - kd), channel " + std::to_string(c),
         pixel, c, truth[c]);
@@ -142,7 +142,7 @@ TEST_CASE("each lobe keeps its color, whichever event is drawn") {
   }
 }
 
-// From glass one looks out at a wall of radiance 1: 1.5^2 times kt. The weight
+// Seen from inside glass, a wall of radiance 1 has 1.5^2 times kt. The weight
 // of refraction is not its coefficient alone.
 TEST_CASE(
     "an event has the weight of its sample: refraction has eta squared") {
@@ -170,7 +170,7 @@ TEST_CASE("what loses no light is invisible in a white room, on average") {
   for (const Case& one : cases) {
     const Scene scene = in_white_room(one.material, ball("thing"));
     const PathTracer tracer(scene, {});
-    // Where nothing can be absorbed early on, nothing is left to chance.
+    // Where nothing can be absorbed early on, nothing is random.
     EachOrMean all(1, 1e-5);
     Pixel pixel;
     for (std::uint64_t i = 0; i < 40'000; ++i) {
@@ -204,7 +204,7 @@ TEST_CASE("a glass cube in a white room is as invisible as in stage 3") {
     difference.add(tracer.radiance(ray, random) - expected);
     seen += static_cast<double>(expected.x) / 20'000;
   }
-  INFO("stage 3 brings ", seen, " in the mean, and this stage ",
+  INFO("stage 3 brings ", seen, " on average, and this stage ",
        seen + difference.mean[0]);
   CHECK(seen > 0.5);
   CHECK(std::abs(difference.mean[0]) <=

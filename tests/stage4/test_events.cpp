@@ -24,12 +24,12 @@ Material material(const Vec3& kd, const Vec3& ks, const Vec3& kt) {
   return result;
 }
 
-/// Where a choice stands among diffuse, specular, refraction, absorption.
+/// The index of a choice among diffuse, specular, refraction, absorption.
 std::size_t event_of(const std::optional<LobeChoice>& choice) {
   return choice ? static_cast<std::size_t>(choice->lobe) : 3;
 }
 
-/// The frequencies of the four events against their probabilities.
+/// Compares the frequencies of the four events with their probabilities.
 void check_frequencies(const LobeProbabilities& p) {
   constexpr int samples = 100'000;
   std::vector<double> observed(4),
@@ -64,9 +64,9 @@ void check_frequencies(const LobeProbabilities& p) {
 
 }  // namespace
 
-// Any probabilities will do, as long as what has a coefficient has a chance.
-// These are compared with laws that all of them must keep, whichever one is
-// chosen: the largest channel, the mean, the luminance.
+// Any probabilities will do if every lobe with a coefficient has a chance:
+// the largest channel, the mean, the luminance. These tests check only what
+// holds for all of them.
 TEST_CASE("every lobe with a coefficient has a chance") {
   const Vec3 red(0.3f, 0, 0), green(0, 0.3f, 0), blue(0, 0, 0.3f), none(0);
   for (const Vec3& k : {red, green, blue, Vec3(0.3f)}) {
@@ -102,7 +102,7 @@ TEST_CASE("lobes of different colors each have a chance") {
 TEST_CASE("the probabilities never add to more than the limit") {
   Random random(3, 0, 0);
   for (int i = 0; i < 1000; ++i) {
-    // Shares of each channel that add to 1.
+    // Random shares of each channel, which add to 1.
     Vec3 k[3];
     for (int c = 0; c < 3; ++c) {
       const Vec2 u(random.uniform_2d());
@@ -162,7 +162,7 @@ TEST_CASE("each event comes as often as its probability says") {
 }
 
 TEST_CASE("the probability that comes with a lobe is its own") {
-  // In whichever order the bar has them.
+  // In any order on the bar.
   const LobeProbabilities p{0.4f, 0.3f, 0.2f};
   const double expected[] = {0.4, 0.3, 0.2};
   int absorbed = 0;

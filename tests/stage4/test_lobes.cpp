@@ -1,4 +1,4 @@
-// What the events are drawn for: directions and lights.
+// What follows from the events: directions and lights.
 
 #include <doctest/doctest.h>
 
@@ -34,9 +34,8 @@ const Ray down{{0, 0.5f, 0}, {0, -1, 0}};
 // Given that the diffuse event was drawn, its direction follows the cosine. A
 // black square hangs over the point, in front of a sky, and hides F of the
 // cosine-weighted hemisphere: what is left is kd ke (1 - F). Squares of all
-// sizes tell how directions are spread between the normal and the horizon.
-// The mirrored ray goes straight up, and is always hidden. At the second floor
-// the first one's direction is long forgotten.
+// sizes show how directions are distributed between the normal and the
+// horizon. The mirrored ray goes straight up, and is always hidden.
 TEST_CASE("the direction does not depend on the number that drew the event") {
   struct Case {
     std::string half, whole;
@@ -71,8 +70,8 @@ TEST_CASE("the direction does not depend on the number that drew the event") {
   }
 }
 
-// The mirrored ray goes straight up and misses the lamp. Only the diffuse part
-// brings its light, asked for or found, but not both: kd ke cos (r/d)^2.
+// The mirrored ray goes straight up and misses the lamp. Only the diffuse
+// part brings its light, sampled or hit, but not both: kd ke cos (r/d)^2.
 TEST_CASE("a diffuse wall under a lamp: kd ke F, counted once") {
   for (const char* material :
        {"{ kd = 0.5 }", "{ kd = 0.5, ks = 0.2, kt = 0.1 }"}) {

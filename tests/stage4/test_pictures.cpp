@@ -1,4 +1,5 @@
-// Stage 4 against stage 3: drawing one lobe by lot is following them all.
+// Compares stage 4 with stage 3: drawing one lobe at random gives the same
+// picture as following all lobes.
 
 #include <doctest/doctest.h>
 

@@ -21,8 +21,8 @@ float cosine(double degrees) {
   return static_cast<float>(std::cos(degrees * std::acos(-1.0) / 180));
 }
 
-/// F must be what Fresnel's equations say or, which is accepted, what Schlick's
-/// curve says: R0 + (1 - R0) (1 - cos)^5, with the cosine on the side outside.
+/// F must be that of Fresnel's equations or, also accepted, that of Schlick's
+/// curve: R0 + (1 - R0) (1 - cos)^5, with the cosine on the side outside.
 void check_fresnel(double degrees, float eta_ratio, double exact) {
   const double n = static_cast<double>(eta_ratio);
   const double c = std::cos(degrees * std::acos(-1.0) / 180);

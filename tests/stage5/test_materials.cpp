@@ -1,4 +1,4 @@
-// What a material is at a hit, and that the whole path uses just that.
+// What a material is at a hit, and that the whole path uses it.
 
 #include <doctest/doctest.h>
 
@@ -80,7 +80,7 @@ TEST_CASE("each coefficient has its own pattern") {
 }
 
 // From inside, at 45 degrees, all is reflected: the hit's normal points away
-// from the viewer, and both the cosine and the indices are turned round.
+// from the viewer, and both the cosine and the indices are reversed.
 TEST_CASE(
     "from inside, glass beyond the critical angle lets nothing through") {
   const Scene scene =
@@ -122,7 +122,7 @@ TEST_CASE("a patterned floor under a light: kd/pi I / h^2") {
       "intensity = 9\n");
   Random random(1, 0, 0);
   const PathTracer tracer(scene, one_bounce());
-  // The cube below the floor, (0, -1, 0), is an odd one; its neighbour is not.
+  // The cube below the floor, (0, -1, 0), is an odd one; its neighbor is not.
   check_value("kd/pi I/h^2 with the second color of the checkers",
               red(tracer.radiance(down, random)),
               0.6 / std::acos(-1.0) * 9 / 4);
@@ -132,7 +132,7 @@ TEST_CASE("a patterned floor under a light: kd/pi I / h^2") {
               0.2 / std::acos(-1.0) * 9 * 2 / std::pow(5.0, 1.5));
 }
 
-// The sky cannot be asked, so its light comes by the path itself.
+// The sky cannot be sampled, so its light comes from the path itself.
 TEST_CASE("a patterned floor under a sky is kd ke") {
   for (const char* kind : {"kd", "ks"}) {
     const Scene scene = scene_text(

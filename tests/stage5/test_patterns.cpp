@@ -1,5 +1,5 @@
-// Textures and patterns: which point of the picture a point of the shape has,
-// and what color is there.
+// Textures and patterns: which point of the picture belongs to a point of the
+// shape, and which color it has.
 
 #include <doctest/doctest.h>
 
@@ -98,10 +98,10 @@ TEST_CASE("a plane's uv are distances along two axes square to its normal") {
 }
 
 // The lab's box has its walls one unit away, their normals towards the
-// middle, and its camera looks along +z with -x to the left and +y up. So what is on
-// the left and below in a wall's picture is at the first point here, and the
-// next two are right of it and above it, for an eye in the middle. On the
-// floor and the ceiling, above is farther from the camera.
+// middle, and its camera looks along +z with -x to the left and +y up. So for
+// an eye in the middle the first point here is at the lower left of a wall's
+// picture, and the next two are right of it and above it. On the floor and
+// the ceiling, above is farther from the camera.
 TEST_CASE("a picture on a plane stands upright and is not mirrored") {
   struct Case {
     const char* normal;
@@ -210,7 +210,7 @@ TEST_CASE("a picture repeats, and mixes across its edges") {
   check_image(texture, {-1e-9f, 0.75f}, false, {0.5f, 0.5f, 0});
 }
 
-// To the left of the first column is the last one, and not the second.
+// To the left of the first column is the last one, not the second.
 TEST_CASE("a picture of three columns repeats to the left as to the right") {
   Texture texture;
   texture.width = 3;

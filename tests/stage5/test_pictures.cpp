@@ -1,4 +1,5 @@
-// Stage 5 against stage 4: without Fresnel and patterns nothing has changed.
+// Compares stage 5 with stage 4: without Fresnel and patterns nothing
+// changes.
 
 #include <doctest/doctest.h>
 
@@ -86,8 +87,8 @@ TEST_CASE("the globe's picture is the map: land where the map has land") {
   }
 }
 
-// Grazing rays are reflected by both balls alike in number only if F is
-// ignored: at 80 degrees F is 0.39, and the fixed ball's share is 0.1.
+// Both balls reflect the same share of grazing rays only if F is ignored: at
+// 80 degrees F is 0.39, and the fixed ball's share is 0.1.
 TEST_CASE(
     "Fresnel glass reflects more at its rim than glass without Fresnel") {
   const Scene scene = scene_file("fresnel_glass", 32, 32);

@@ -1,4 +1,4 @@
-// Stage 6 paints what stage 5 paints, to the last bit.
+// Stage 6 renders the pictures of stage 5, to the last bit.
 
 #include <doctest/doctest.h>
 
@@ -25,7 +25,7 @@ std::pair<Film, std::uint64_t> film_of(const Scene& scene,
   return {film, progress.rays};
 }
 
-/// The pixels that have not the same bits, and the first of them in words.
+/// The pixels whose bits differ, and the first of them in words.
 struct Difference {
   std::size_t pixels = 0;
   std::string first;
@@ -130,13 +130,13 @@ Scene random_scene(std::uint64_t seed) {
     if (random.uniform() < 0.1f) m.varying_ks = patterns[1];
     if (random.uniform() < 0.1f) m.varying_kt = patterns[2];
     if (random.uniform() < 0.12f) {
-      // Half of the emitters have coefficients that no path asks for.
+      // Half of the emitters have coefficients that no path uses.
       if (random.uniform() < 0.5f) m = Material{};
       m.ke = color(3);
     }
     return scene.add(m);
   };
-  // Few shapes are tried one after the other, and many by a tree.
+  // A few shapes are tested one by one, many with a tree.
   const int spheres =
       random.uniform() < 0.2f ? 70 : 1 + static_cast<int>(number(0, 12));
   const int flats =

@@ -2,19 +2,19 @@
 
 // # Do these counts fit those probabilities?
 //
-// Pearson's test: throw samples into cells, compare how many there are with
-// how many there should be. If sampler and probabilities belong together,
+// Pearson's test: sort samples into cells, and compare the counts with the
+// expected ones. If sampler and probabilities match,
 //
 // $$\chi^2 = \sum_i \frac{(\mathrm{observed}_i - \mathrm{expected}_i)^2}
 // {\mathrm{expected}_i}$$
 //
-// follows the chi-squared distribution with one degree of freedom less than
+// follows the chi-squared distribution with one degree of freedom fewer than
 // there are cells. Its tail says how often a *right* sampler does as badly:
-// the p-value. Seeds are fixed, so a test that passes once passes always; the
-// bound below only says how often a change of seed may need another one.
+// the p-value. Seeds are fixed, so a test that passes once always passes; the
+// bound below only says how often a new seed may fail by chance.
 //
-// The distribution holds for cells that expect a few samples; those with
-// fewer than 5 are thrown together.
+// The distribution holds for cells that expect at least a few samples; those
+// that expect fewer than 5 are pooled.
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ namespace lightwalk::tests {
 
 /// The regularized upper incomplete gamma function Q(a, x), a > 0, x >= 0: by
 /// its power series (DLMF 8.11.4) where that converges quickly, otherwise by
-/// its continued fraction (DLMF 8.9.2), in the manner of Lentz.
+/// its continued fraction (DLMF 8.9.2), by Lentz's method.
 inline double upper_gamma(double a, double x) {
   if (x <= 0) return 1;
   const double front = std::exp(a * std::log(x) - x - std::lgamma(a));
@@ -58,11 +58,12 @@ inline double upper_gamma(double a, double x) {
 /// A p-value below this is no accident.
 inline constexpr double significance = 1e-6;
 
-/// So many standard deviations off (to either side) has that p-value.
+/// A deviation of this many standard deviations (to either side) has that
+/// p-value.
 inline constexpr double significant_deviations = 4.8916;
 
-/// How likely a chi-squared variable with so many degrees of freedom is to be
-/// at least `statistic`.
+/// The probability that a chi-squared variable with this many degrees of
+/// freedom is at least `statistic`.
 inline double chi_squared_p_value(double statistic,
                                   double degrees_of_freedom) {
   return upper_gamma(degrees_of_freedom / 2, statistic / 2);

@@ -1,12 +1,12 @@
 #pragma once
 
-// # Where the light comes from, and what that direction is worth
+// # Where the light comes from, and the weight of that direction
 //
 // A black square hangs over a floor, in front of a sky, and hides F of the
 // cosine-weighted hemisphere: what is left is kd ke (1 - F). Squares of
-// all sizes tell how directions are spread between normal and horizon, and
-// whether each direction has its own weight: a weight that belongs to
-// another draw has the right mean and loses its tie to the direction.
+// all sizes show how directions are distributed between normal and horizon,
+// and whether each direction has its own weight: the weight of another sample
+// has the right mean, but does not belong to the direction.
 
 #include "support/exact_radiance.hpp"
 #include "support/specular_scenes.hpp"
@@ -15,7 +15,7 @@ namespace lightwalk::tests {
 
 /// The mirrored ray goes straight up, and is always hidden. `survival` is the
 /// probability with which the course's own program follows the diffuse lobe
-/// of { kd = 0.5 }; it says how noisy a right picture is.
+/// of { kd = 0.5 }; it gives the noise of a right picture.
 template <class PathTracer>
 void check_covered_sky(const std::string& material, const DoubleVec3& kd,
                        double survival = 0) {

@@ -1,7 +1,7 @@
 #pragma once
 
 // A scene that is moved, or scaled with all that is in it, gives the same
-// picture. With the same random numbers its paths are the same but for
+// picture. With the same random numbers its paths are the same up to
 // rounding, so most of the noise cancels, and small differences show.
 
 #include <doctest/doctest.h>
@@ -27,7 +27,8 @@ inline Vec3 on_grid(const Vec3& p) {
   return glm::round(512.0f * p) / 512.0f;
 }
 
-/// The file's scene, which has no triangles, after a motion. With `wall_radius`, the planes that do not shine are spheres.
+/// The file's scene, which must have no triangles, after a motion. With
+/// `wall_radius`, the planes that do not shine become spheres.
 inline Scene moved(const Scene& scene, const Motion& motion,
                    float wall_radius = 0) {
   Scene result;
@@ -62,7 +63,7 @@ inline Scene moved(const Scene& scene, const Motion& motion,
   }
   for (const auto& light : scene.lights) {
     const auto* point = std::get_if<PointLight>(&light.form);
-    if (!point) continue;  // a shape, which is there already
+    if (!point) continue;  // a shape's light, which was added with it
     result.add(PointLight{motion.position(on_grid(point->center)),
                           motion.scale * motion.scale * point->intensity});
   }
@@ -70,8 +71,8 @@ inline Scene moved(const Scene& scene, const Motion& motion,
   return result;
 }
 
-/// The means within 0.3 %, and each tile of 8x8 pixels within 2 % of its own
-/// and 1e-4 of the image's, beyond the noise of the difference.
+/// The means must agree to 0.3 %, and each tile of 8x8 pixels to 2 % of its
+/// own mean and 1e-4 of the image's, beyond the noise of the difference.
 /// `what` says how the scene was moved.
 inline void check_same_noise(const std::string& what, const Image& test,
                              const Image& reference) {
@@ -106,7 +107,7 @@ inline void check_same_noise(const std::string& what, const Image& test,
                              channel_names[static_cast<std::size_t>(channel)])
                       << " " << a << " +- " << sigma << ", expected " << b
                       << " as unmoved, " << a / b << " times it");
-      return;  // others say the same
+      return;  // one report is enough
     }
   }
 }

@@ -12,7 +12,7 @@
 
 namespace lightwalk::tests {
 
-/// Six digits, as many as a float knows, and no more than there are.
+/// Six digits, the precision of a float, without trailing zeros.
 inline std::string text_of(double number) {
   std::ostringstream text;
   text << number;
@@ -21,7 +21,7 @@ inline std::string text_of(double number) {
 
 inline std::string text_of(const Vec3& v) {
   std::ostringstream text;
-  // 0 has no sign worth reading.
+  // Prints -0 as 0.
   text << '(' << v.x + 0 << ", " << v.y + 0 << ", " << v.z + 0 << ')';
   return text.str();
 }

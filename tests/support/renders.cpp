@@ -5,7 +5,7 @@
 namespace lightwalk::tests {
 
 namespace {
-// Tests are of the stages, not of the loader: here everything is allowed.
+// These tests test the stages, not the loader: here everything is allowed.
 constexpr Syllabus everything{9, {}};
 }  // namespace
 

@@ -14,13 +14,13 @@
 
 namespace lightwalk::tests {
 
-/// The scene of a file of the folder scenes/, at another size.
+/// A scene from the folder scenes/, at another size.
 Scene scene_file(const std::string& name, int width = 32, int height = 32);
 
-/// The same with all that its file says, at its own size.
+/// The same with all information of its file, at its own size.
 LoadedScene load_scene_for_tests(const std::string& name);
 
-/// The scene of a TOML text. A camera is put before it if it has none.
+/// The scene of a TOML text. Adds a camera if the text has none.
 Scene scene_text(std::string_view text);
 
 /// The statistics of `samples` samples of one ray.

@@ -1,8 +1,8 @@
 #pragma once
 
-// Scenes of mirrors and glass in a uniform white surround, whose radiance is
-// known exactly: what is lossless cannot be seen in it (testing is that
-// simple, and finds nearly every mistake with glass).
+// Scenes of mirrors and glass in a uniform white room. Their radiance is
+// known exactly: what loses no light is invisible there. This simple test
+// finds nearly every mistake with glass.
 
 #include <string>
 
@@ -10,8 +10,8 @@
 
 namespace lightwalk::tests {
 
-/// A closed white room that emits 1 inwards on all sides. Rectangles are
-/// lamps that can be asked, and planes are not: it is made of planes.
+/// A closed white room that emits 1 inwards on all sides. It is made of
+/// planes, because rectangles would be lamps that can be sampled.
 inline std::string white_room() {
   std::string text;
   for (const char* normal : {"[1, 0, 0]", "[-1, 0, 0]", "[0, 1, 0]",
@@ -54,7 +54,7 @@ inline Scene in_white_room(const std::string& material,
 
 /// A floor (y = 0, kd = 0.5), a mirror above it (y = 2, ks = 0.8, looking
 /// down), and between them a lamp (y = 1, ke = 4) that shines upwards. The
-/// floor is lit by way of the mirror alone.
+/// floor is lit only through the mirror.
 inline Scene mirrored_lamp() {
   return scene_text(R"([materials]
 floor  = { kd = 0.5 }
@@ -90,10 +90,10 @@ inline double rectangle_form_factor(double a, double b, double h) {
          (2 * std::acos(-1.0));
 }
 
-/// What the floor of `mirrored_lamp` sends up from the origin: kd ks ke F,
+/// The radiance of `mirrored_lamp`'s floor at the origin: kd ks ke F,
 /// where F is that of the lamp's image in the mirror, at y = 3, x from 3 to 9
-/// and z from -3 to 3. The lamp itself is not in the way: it starts at x = 3,
-/// and at its height the rays to the image's far edge have come to x = 3.
+/// and z from -3 to 3. The lamp itself blocks no ray: it starts at x = 3, and
+/// at its height the rays to the image's far edge have reached x = 3.
 inline double mirrored_lamp_radiance() {
   return 0.5 * 0.8 * 4 * 2 *
          (rectangle_form_factor(9, 3, 3) - rectangle_form_factor(3, 3, 3));
@@ -112,7 +112,7 @@ inline Ray ray_at_thing(Random& random) {
   return {origin, normalize(target - origin)};
 }
 
-/// The statistics of `samples` samples, each of another ray at the thing.
+/// The statistics of `samples` samples, each along another ray to the thing.
 template <class PathTracer>
 Pixel estimate_of_thing(const PathTracer& tracer, int samples,
                         std::uint64_t seed) {
