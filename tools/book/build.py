@@ -38,12 +38,12 @@ SIDEBAR_FROM = 97  # em of 16 px
 
 
 def titled(headers):
-    """Those that are chapters of the book: they have a title."""
+    """The headers that are chapters of the book: they have a title."""
     return [path for path in headers if re.search(r"^// # ", path.read_text(), re.M)]
 
 
 def other_headers():
-    """What is woven beside the stages' chapters, in order: {caption: headers}."""
+    """The other chapters beside the stages', in order: {caption: headers}."""
     found = {"The core": titled(core_headers())}
     for header in stage_headers():
         found[f"For stage {header.parent.name[0]}"] = titled(listed_headers(header.parent))
@@ -140,20 +140,20 @@ def copy_fonts(static):
 
 
 def name_levels(book):
-    """Captions of the sidebar's lists are headings: says of which level."""
+    """Adds the level to the captions of the sidebar's lists, which are headings."""
     for path in book.rglob("*.html"):
         text = path.read_text()
         path.write_text(text.replace('class="caption" role="heading"', 'class="caption" role="heading" aria-level="2"'))
 
 
 def finish(book):
-    """What is done to the pages that Sphinx has made."""
+    """Post-processes the pages that Sphinx has made."""
     link_definitions(book, [(header, page_of(header)) for header in woven_headers()])
     set_formulas(book)
     keep_together(book)
     name_levels(book)
-    # The menu instead of the sidebar as long as there is no room for two
-    # columns beside it.
+    # A narrow page has the menu instead of the sidebar: two columns must fit
+    # beside the sidebar.
     style = book / "_static/styles/furo.css"
     style.write_text(style.read_text().replace("max-width:63em", f"max-width:{SIDEBAR_FROM}em"))
 
@@ -176,7 +176,7 @@ def main():
     pairs, why = read_gallery(catalogue)
     shown = {entry["name"]: entry for entry in (figure_entry(one) for _, one in pairs)}
     figures.entries |= shown
-    # What takes seconds to check comes before the figures, which take minutes.
+    # Checks that take seconds come before the figures, which take minutes.
     check_every_name()
     check_every_formula(figures)
     figures.make(placed_names(BOOK) | shown.keys())

@@ -1,4 +1,4 @@
-"""The known mistakes of tests/mistakes/stageN.toml, as the book tells them."""
+"""The known mistakes of tests/mistakes/stageN.toml, as the book shows them."""
 
 import difflib
 import functools
@@ -16,7 +16,7 @@ from tools.tree import stage_headers, test_names
 
 @dataclass
 class Entry:
-    """One mistake, or a variant that is none."""
+    """One mistake, or a correct variant."""
 
     mistake: Mistake
     header: Path
@@ -36,7 +36,7 @@ class Entry:
         return self.mistake.verdict == "pass"
 
     def anchors(self):
-        """Names of this place beside its own: only one can have the bare name."""
+        """More anchors of this entry: only one entry can have the bare name."""
         return [self.mistake.name] * self.first
 
     def changed(self, context=0):
@@ -57,7 +57,7 @@ class Entry:
 
     @functools.cached_property
     def change(self):
-        """`changed` without lines around, which several parts of the page need."""
+        """`changed` without context lines, which several parts of the page need."""
         return self.changed()
 
     def section(self):

@@ -11,9 +11,9 @@ myst_heading_anchors = 3
 nitpicky = True
 language = "en"
 
-# Everything comes from this folder: no page asks anybody for anything, and
-# all of it works from file://.
-# set_formulas.py sets the formulas, and takes MathJax's script out again.
+# Everything comes from this folder: no page needs the network, and all pages work
+# from file://.
+# set_formulas.py renders the formulas, and removes MathJax's script.
 mathjax_path = "mathjax/none.js"
 html_static_path = [os.environ["BOOK_STATIC"]]
 templates_path = ["templates"]
@@ -36,7 +36,7 @@ html_sidebars = {
 }
 html_show_sourcelink = False
 html_copy_source = False
-html_show_search_summary = False  # it would ask for each page that was found
+html_show_search_summary = False  # it would fetch each page that was found
 html_show_copyright = False
 html_permalinks_icon = "#"
 

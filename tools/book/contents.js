@@ -1,4 +1,4 @@
-// Marks, in the sidebar's list of this page, the section that is being read.
+// Marks the current section in the sidebar's table of contents.
 document.addEventListener("DOMContentLoaded", () => {
   const links = [...document.querySelectorAll(".page-contents a[href^='#']")];
   const places = links

@@ -1,8 +1,8 @@
 """Links names in listings to the lines that define them.
 
 A listing's line numbers become anchors, L12 for line 12, since a page has one
-header. A name means what it means in the code: a stage's own definition, else
-that of the nearest stage before it, else the core's.
+header. A name is resolved as in the code: a stage's own definition, else that of
+the nearest earlier stage, else the core's.
 """
 
 import re
@@ -10,7 +10,7 @@ from collections import Counter, defaultdict
 
 from tools.tree import ROOT
 
-# At the beginning of a line, which is where the house's style puts them.
+# At the beginning of a line, as the code style puts them.
 FUNCTION = re.compile(
     r"(?:inline |constexpr |explicit )*(?:const )?[A-Z_a-z][\w:]*(?:<[^()]*>)?[&*]? (\w+)\("
 )
@@ -70,7 +70,7 @@ class Names:
         self.members = {name: place for name, place in methods if often[name] == 1}
 
     def place(self, match, stage):
-        """What the name in a listing of that stage (0: the core) means."""
+        """The definition of a name in a listing of that stage (0: the core)."""
         name = match["name"]
         if match["access"]:
             return self.members.get(name) if match["call"] else None
@@ -83,7 +83,7 @@ class Names:
 
 
 def is_linkable(match, place_line, line):
-    """Variables may be called like functions; a definition needs no link."""
+    """Variables may have the names of functions; a definition needs no link."""
     name = match["name"]
     return bool(match["call"] or name[0].isupper() or "_" in name) and place_line != line
 

@@ -1,4 +1,4 @@
-"""Figures as the book has them: with a caption, in the place that they name."""
+"""The book's figures: with a caption, at the line that names them."""
 
 import re
 from collections import Counter
@@ -17,7 +17,7 @@ def pages_depth(path):
 
 
 def picture(file, shows):
-    """A picture; a drawing is there twice, for light pages and dark ones."""
+    """A picture; a drawing twice, for light and for dark pages."""
     if not file.endswith(".svg"):
         return [f"![{shows}]({file})"]
     versions = (("only-light", file), ("only-dark", file.replace(".svg", "-dark.svg")))
@@ -35,7 +35,7 @@ class PlacedFigures(Figures):
         self.counted = Counter()
 
     def number(self, path):
-        """The next figure's number on the page, such as "3.4"; none where a
+        """The next figure's number on the page, such as "3.4"; empty if the
         page is no chapter."""
         if path.suffix == ".md":
             return ""

@@ -1,4 +1,4 @@
-// Sets the formulas of a page as SVG, so that pages need no script for them:
+// Renders the formulas of a page as SVG, so that pages need no script for them:
 // node formulas.cjs NODE_MODULES < [{page, formulas: [{tex, display}]}]
 // Prints {pages: [{defs, formulas: [html]}], css}. The glyphs of a page are
 // drawn once, in `defs`.

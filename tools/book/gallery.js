@@ -1,5 +1,5 @@
-// The page of mistakes: a field that filters the tables as one types. Without
-// JavaScript the tables stand there whole.
+// The page of mistakes: a field that filters the tables while the reader types.
+// Without JavaScript all rows are visible.
 function searchMistakes() {
   const table = document.querySelector("table.mistakes");
   if (!table) return;
@@ -25,7 +25,7 @@ function searchMistakes() {
     count.textContent = `${found.length} of ${rows.length}`;
   }
 
-  // A link to a mistake shows it, whatever was searched for, with its lines.
+  // A link to a mistake ends the search, and opens the mistake with its lines.
   function showTarget() {
     const row = document.getElementById(decodeURIComponent(location.hash.slice(1)))?.closest("table.mistakes tr");
     if (!row) return;

@@ -1,6 +1,6 @@
-"""Lines of built pages do not end where nobody would end one: between a formula
-or a word of code and the marks beside it, after the dash of an option, or within a word of code
-that is no longer than a phone is wide."""
+"""Prevents bad line breaks in built pages: between a formula or a word of code and
+the punctuation beside it, after the dash of an option, or within a word of code
+that fits on a phone."""
 
 import re
 

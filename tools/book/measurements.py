@@ -1,4 +1,4 @@
-"""The page of speed and convergence, from what `make measured` has kept."""
+"""The page of speed and convergence, from the results of `make measured`."""
 
 import json
 import shutil
@@ -49,21 +49,21 @@ def measurements_page(source):
     return [
         "# Speed and convergence",
         "",
-        "Samples of different estimators are not worth the same. So the first table has the "
+        "Samples of different estimators are not equally good. So the first table has the "
         "*efficiency*: one over variance times time, relative to the first of each pair. "
         "Twice the efficiency is the same picture in half the time.",
         "",
         *kept("efficiency.md"),
         "![Noise against time for each estimator](figures/convergence.svg)",
         "",
-        "All lines fall with slope -1/2: half the noise costs four times the time, whichever "
-        "estimator it is. The lower line is the better one.",
+        "All lines fall with slope -1/2: half the noise costs four times the time, with any "
+        "estimator. The lower line is the better one.",
         "",
         "## Beside another renderer",
         "",
         "Stages 5 and 6 and [Mitsuba 3](https://www.mitsuba-renderer.org) with its compiler for "
-        "vectors, on the lab's boxes of 256 x 256 pixels. Runs alternate, and medians are compared. "
-        "A number above 1 says that Mitsuba takes so many times as long. Its scenes resemble ours: "
+        "vectors, on the lab's boxes of 256 x 256 pixels. Runs alternate, and we compare medians. "
+        "A number above 1 says how many times as long Mitsuba takes. Its scenes only resemble ours: "
         "it has no plastic like the course's.",
         "",
         *kept("peers.md"),

@@ -1,7 +1,7 @@
-"""The page of mistakes: a gallery with pictures, and the catalogue to search.
+"""The page of mistakes: a gallery with pictures, and the catalog to search.
 
-gallery.toml says which mistakes have pictures. Each is a figure of two panels,
-the right picture and the wrong one, rendered by the program with the mistake.
+gallery.toml lists the mistakes with pictures. Each is a figure of two panels,
+the right picture and the wrong one, which the program with the mistake renders.
 """
 
 import re
@@ -80,7 +80,7 @@ def card(entry, shown, figures):
 
 
 def contact_sheet(pairs):
-    """What went wrong, to be found by its look: a row for each stage."""
+    """The wrong pictures, to find a mistake by its look: a row for each stage."""
     rows = []
     for stage in sorted({shown["stage"] for _, shown in pairs}):
         body = [f"Stage {stage}", ""]
@@ -93,7 +93,7 @@ def contact_sheet(pairs):
 
 
 def row(entry, last, pictured):
-    """A row of a table; a picture's place has the names itself."""
+    """A row of a table; for a mistake with a picture, the picture has the anchors."""
     diff = entry.change[1]
     stage, section = entry.mistake.stage, entry.section()
     own = "" if pictured else f' id="{entry.anchor}"'
@@ -118,7 +118,7 @@ def table(what, heads, rows, kind=""):
 
 
 def read_gallery(catalogue):
-    """The entries that are shown, each with what gallery.toml says, and the
+    """The entries with pictures, each with its table of gallery.toml, and the
     reasons why variants are right."""
     known = {entry.anchor: entry for entry in catalogue}
     read = tomllib.loads(GALLERY.read_text())
@@ -136,7 +136,7 @@ def read_gallery(catalogue):
 
 
 def mistakes_page(figures, catalogue, pairs, why):
-    """The page's lines, or nothing while nobody has collected mistakes."""
+    """The page's lines, or None if there are no known mistakes."""
     if not catalogue:
         return None
     pictured = {entry.anchor for entry, _ in pairs}
@@ -153,21 +153,21 @@ def mistakes_page(figures, catalogue, pairs, why):
         "",
         f"Does your picture look like one of these? Each of the {len(pairs)} was rendered by the "
         "program of its stage with one mistake in it. Choose a picture to see it beside the right "
-        f"one, with the lines that do it. All {len(wrong)} known mistakes are "
-        "[in a table](#all-known-mistakes) that can be searched, and so are "
+        f"one, with the lines that cause it. All {len(wrong)} known mistakes are "
+        "[in a table](#all-known-mistakes) that you can search, and so are "
         f"[{len(right)} changes that are no mistakes](#changes-that-are-no-mistakes).",
         "",
         *contact_sheet(pairs),
         f"## {len(pairs)} mistakes that can be seen",
         "",
         "Both pictures of a pair have the same scene, the same options and the same exposure. A "
-        "test finds each mistake sooner than the eye: its command stands below the lines.",
+        "test finds each mistake sooner than the eye: its command is below the lines.",
         "",
         *cards,
         "## All known mistakes",
         "",
-        "Each was put into the right header and built, and the named test failed. Many look like "
-        "another one in a picture, so search for what your code does or for the test that fails.",
+        "Each was inserted into the right header, and the named test failed. Many pictures look "
+        "alike, so search for what your code does or for the test that fails.",
         "",
         *table(
             "All known mistakes",

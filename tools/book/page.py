@@ -34,7 +34,7 @@ def fenced(name, argument, body, options=(), depth=3, mark=":"):
 
 
 def mark(path, piece):
-    """What to say of a region beside the stage before: badge, lines, diff."""
+    """A region compared with the previous stage: badge, lines, diff."""
     if path.parent.parent.name != "stages" or path.parent.name[0] == "1":
         return "", [], []
     other, old = earlier_version(path, piece.region)
@@ -55,7 +55,7 @@ def mark(path, piece):
 
 
 def code_block(path, piece):
-    """The piece's listing: in parts, where some of its lines are exercises."""
+    """The piece's listing: in parts if some of its lines are exercises."""
     name = path.relative_to(ROOT)
     emphasized, box, title = [], [], f"{name}"
     if piece.region:
@@ -88,7 +88,7 @@ def code_block(path, piece):
 
 @dataclass
 class Row:
-    """What stands side by side: prose with its tasks, and figures,
+    """One row of the page, side by side: prose with its tasks, and figures,
     transcripts and code. Each figure is (name, where it is referred to)."""
 
     heading: str = ""
@@ -108,7 +108,7 @@ def rows(path):
     found = []
     for piece in pieces(path):
         if piece.kind == "code":
-            # A task stands right before its region.
+            # A task comes right before its region.
             if not found or (piece.exercises and found[-1].code):
                 found.append(Row())
             found[-1].code.append(piece)
@@ -175,7 +175,7 @@ def closing(sheet):
 
 
 def row_lines(row, path, figures, sheet):
-    """A row: what is wide stands across the page, and the rest side by side."""
+    """A row: wide parts across the page, and the rest side by side."""
     across, right = [], []
     for kind, item, where in row.beside:
         wide = kind == "figure" and figures.is_wide(item, where)
@@ -196,7 +196,7 @@ def row_lines(row, path, figures, sheet):
 
 
 def side_by_side(prose, right):
-    """Prose left, the rest right, or what there is of the two."""
+    """Prose left, the rest right, or the one that is there."""
     words = any(line.strip() for line in prose)
     body = fenced("container", "prose", prose, depth=6) if words else []
     body += fenced("container", "code", right, depth=6) if right else []
@@ -205,7 +205,7 @@ def side_by_side(prose, right):
 
 
 def deck_link(path):
-    """To the chapter's deck, which is built beside the book."""
+    """A link to the chapter's deck, which is built beside the book."""
     name = path.parent.name
     if not (ROOT / f"slides/{name}.md").is_file():
         return []

@@ -1,5 +1,5 @@
-// What is wider than its place can be reached with Tab, and arrow keys then
-// move it and turn no page.
+// Tab reaches elements that are wider than their place; the arrow keys then scroll
+// them and do not turn the page.
 document.addEventListener("DOMContentLoaded", () => {
   const all = document.querySelectorAll("pre, .math-wrapper, .table-wrapper");
   const update = () => {

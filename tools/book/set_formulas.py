@@ -1,4 +1,4 @@
-"""Sets the formulas of built pages: they are SVG in the page, without a script."""
+"""Renders the formulas of built pages as SVG in the page, without a script."""
 
 import html
 import json

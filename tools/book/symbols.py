@@ -1,4 +1,4 @@
-"""The page that sets each symbol of the formulas against its name in code."""
+"""The page that lists each symbol of the formulas with its name in code."""
 
 import tomllib
 from pathlib import Path

@@ -1,5 +1,5 @@
-"""What is done to built pages, piece by piece: colors of code, words of
-formulas, and lines that stay together."""
+"""Tests the post-processing of built pages: colors of code, words of formulas,
+and lines that stay together."""
 
 import importlib.util
 import pathlib

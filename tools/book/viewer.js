@@ -1,6 +1,5 @@
-// Opens a figure's pictures large. Two of the same size can be compared: the
-// second is laid over the first, up to an edge that is dragged, or their
-// difference is shown.
+// Opens a figure's pictures large. The reader can compare two of them: one lies
+// over the other up to an edge that can be dragged, or their difference is shown.
 document.addEventListener("DOMContentLoaded", () => {
   const figures = [...document.querySelectorAll(".figure")].filter((figure) => pictures(figure).length);
   if (!figures.length || !window.HTMLDialogElement) return;

@@ -1,6 +1,6 @@
-// Figures that live: sliders under a drawing that follows them. Each of the
-// other files here describes one, for the figure of its name. Without scripts
-// the still picture stays.
+// Interactive figures: a drawing with sliders. Each of the other files here
+// describes one, for the figure of its name. Without JavaScript the still picture
+// stays.
 const live = (() => {
   const described = {};
   document.addEventListener("DOMContentLoaded", () => {
@@ -48,7 +48,7 @@ const live = (() => {
       });
     }
 
-    /** A place in the drawing changes values, within what sliders allow. */
+    /** A point in the drawing changes values, within the sliders' limits. */
     function dragged(event) {
       if (!event.buttons) return;
       const area = svg.getBoundingClientRect();
@@ -78,7 +78,7 @@ const live = (() => {
   };
 })();
 
-// What drawings are made of.
+// The shapes of the drawings.
 const shape = {
   line: (x1, y1, x2, y2, kind = "ink", more = "") =>
     `<line x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}" class="stroke ${kind}" ${more}/>`,

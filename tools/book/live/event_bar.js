@@ -1,4 +1,4 @@
-// The bar of events: what one random number picks, and by what is divided.
+// The bar of events: the event that a random number picks, and its probability.
 live("event-bar", {
   size: [520, 170],
   hint: "Drag along the bar, or move the sliders.",
