@@ -1,5 +1,5 @@
-// Tests that go wrong in all the ways in which a student's code can, one of
-// which test_reporter.py asks for at a time. The suite is no test by itself.
+// Tests that fail in all the ways in which a student's code can.
+// test_runner.py runs one of them at a time; this suite is no test by itself.
 
 #include <doctest/doctest.h>
 
@@ -19,7 +19,7 @@ using namespace lightwalk::tests;
 
 namespace {
 
-// What the compiler must not see through.
+// What the compiler must not optimize away.
 volatile int zero = 0;
 volatile int* volatile nowhere = nullptr;
 
@@ -173,7 +173,7 @@ TEST_CASE("ends lock") {
 
 TEST_SUITE_END();
 
-// Before main, if asked for.
+// Before main, if the environment says so.
 [[maybe_unused]] static const int before_main = [] {
   if (std::getenv("LIGHTWALK_EXIT_BEFORE_MAIN")) std::exit(0);
   return 0;

@@ -1,4 +1,4 @@
-// A program like the stages', of whose samples one in a hundred is infinite.
+// A program like those of the stages. One in a hundred samples is infinite.
 
 #include "common/program/run.hpp"
 

@@ -1,6 +1,6 @@
-// A program like the stages', which waits in the middle of its picture, so
-// that a signal comes just then. PAUSE_AT is the number of the sample: there
-// it says so on stdout, and waits for a line on stdin.
+// A program like those of the stages. It waits in the middle of its picture, so
+// that a signal comes just then. At sample number PAUSE_AT it prints a line on
+// stdout, and waits for a line on stdin.
 
 #include <atomic>
 #include <cstdio>

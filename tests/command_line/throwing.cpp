@@ -1,4 +1,4 @@
-// A program like the stages', whose samples throw: what, the seed says.
+// A program like those of the stages. Its samples throw; the seed selects what.
 
 #include <new>
 #include <stdexcept>

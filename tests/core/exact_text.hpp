@@ -7,7 +7,7 @@
 
 namespace lightwalk::tests {
 
-/// With all digits that a float has, so that it can be put in again.
+/// Prints all digits of a float, so that the text gives back the same float.
 inline std::string text(const Vec3& v) {
   char line[80];
   std::snprintf(line, sizeof line, "(%.9g, %.9g, %.9g)",

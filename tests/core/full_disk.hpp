@@ -9,7 +9,7 @@
 
 namespace lightwalk::tests {
 
-/// While it lives, no file of this program grows beyond some bytes.
+/// While this object exists, no file of this program grows beyond some bytes.
 class FullDisk {
  public:
   explicit FullDisk(std::size_t bytes) : handler_(signal(SIGXFSZ, SIG_IGN)) {

@@ -6,8 +6,8 @@
 
 constinit thread_local std::size_t lightwalk::tests::largest_allocation = 0;
 
-// All of them but those with an alignment: where a sanitizer brings its own,
-// they do not call one another.
+// All of them but the aligned ones: those of a sanitizer do not call each
+// other.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   lightwalk::tests::largest_allocation =
       std::max(lightwalk::tests::largest_allocation, size);

@@ -10,7 +10,7 @@
 
 namespace lightwalk::tests {
 
-/// A small picture with light beyond 1, and all that is said about it.
+/// A small picture with light beyond 1, and all its information.
 inline RenderResult picture(int width = 7, int height = 5) {
   RenderResult result;
   result.radiance = Image(width, height);
@@ -40,7 +40,7 @@ inline bool same_bits(const Image& a, const Image& b) {
                                          a.pixels.size() * sizeof(Vec3)) == 0;
 }
 
-/// What is said when an image cannot be read; "" if it can.
+/// The message if an image cannot be read; "" if it can.
 inline std::string read_complaint(const std::string& path) {
   try {
     if (ending(path) == ".png") {
@@ -54,7 +54,7 @@ inline std::string read_complaint(const std::string& path) {
   }
 }
 
-/// Why a failed write failed; "" if it worked.
+/// The message of a failed write; "" if it succeeded.
 inline std::string write_complaint(const std::string& path,
                                    const RenderResult& result) {
   try {

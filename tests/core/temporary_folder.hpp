@@ -8,7 +8,7 @@
 
 namespace lightwalk::tests {
 
-/// A new folder that is deleted with all that is in it.
+/// A new folder. The destructor deletes it and its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -30,7 +30,7 @@ class TemporaryFolder {
     return (path_ / name).string();
   }
 
-  /// How many files and folders are in it.
+  /// The number of files and folders in it.
   std::ptrdiff_t entries() const {
     return std::distance(std::filesystem::directory_iterator(path_), {});
   }

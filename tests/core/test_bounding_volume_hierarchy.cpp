@@ -1,4 +1,4 @@
-// A tree of boxes answers what trying every shape answers.
+// A tree of boxes finds the same hits as testing every shape.
 
 #include <doctest/doctest.h>
 
@@ -62,7 +62,7 @@ void add_random_shapes(Twins& twins, int count, float reach, float size,
 
 }  // namespace
 
-TEST_CASE("a tree of boxes gives the answers of a search one by one") {
+TEST_CASE("a tree of boxes gives the hits of a search one by one") {
   for (const int count : {64, 300, 2000}) {
     CAPTURE(count);
     Twins twins;
@@ -104,13 +104,13 @@ TEST_CASE("a tree of boxes holds shapes in one plane") {
   check_same_answers(twins, 15, 12);
 }
 
-TEST_CASE("a tree of boxes is right along its axes") {
+TEST_CASE("a tree of boxes is right for rays along the axes") {
   Twins twins;
   add_random_shapes(twins, 500, 5, 0.5f, 13);
   twins.prepared.prepare();
   Random random(14, 0, 0);
   for (int i = 0; i < 3000; ++i) {
-    // Zero has two signs.
+    // Zeros of both signs.
     Ray ray{random_position(random, 6), Vec3(i % 4 < 2 ? 0.0f : -0.0f)};
     ray.direction[i % 3] = i % 2 == 0 ? 1.0f : -1.0f;
     const auto a = twins.plain.nearest_hit(ray);

@@ -38,8 +38,8 @@ TEST_CASE("files that are empty, cut off or text are refused with a reason") {
         "its name ends in none of .exr, .pfm, .ppm, .hdr, .tif, .tiff");
 }
 
-// The windows, made 16384 pixels wide and high: as much as is read of a file
-// that is large enough.
+// The windows, made 16384 pixels wide and high: the largest size that is read
+// if the file is large enough.
 TEST_CASE("an EXR header that claims too much is refused, not allocated") {
   if (!has_exr) return;
   const TemporaryFolder folder;

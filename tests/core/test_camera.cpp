@@ -10,7 +10,7 @@ namespace {
 
 constexpr float rounding = 1e-6f;
 
-/// Where a ray cuts the image plane z = z_plane.
+/// Where a ray meets the image plane z = z_plane.
 Vec3 on_plane(const Ray& ray, float z_plane) {
   const float t = (z_plane - ray.origin.z) / ray.direction.z;
   return ray.origin + t * ray.direction;

@@ -63,13 +63,13 @@ TEST_CASE("a black picture with a huge variance is not believed") {
   }
 }
 
-TEST_CASE("nor is such a reference") {
+TEST_CASE("a black reference with a huge variance is not believed either") {
   const auto claim = false_claim(noise(64, 1), black(1e4f), 1);
   REQUIRE(claim);
   CHECK_FALSE(claim->by_test);
 }
 
-// What is not refused is too small to hide anything behind.
+// A variance that is not refused is too small to hide a difference.
 TEST_CASE("a black picture is different or not believed") {
   const RenderResult right = noise(64, 1);
   for (float variance = 0; variance < 1e6f; variance = 2 * variance + 0.1f) {
@@ -92,7 +92,7 @@ TEST_CASE("a variance that is claimed only where the picture is wrong") {
   CHECK(false_claim(wrong, right, 1));
 }
 
-TEST_CASE("noise that is there is believed") {
+TEST_CASE("noise that a picture really has is believed") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
     for (const int rarity : {1, 4, 50, 1000}) {

@@ -29,14 +29,14 @@ std::string number(std::int64_t value, bool big_endian = false) {
   return bytes;
 }
 
-/// A PNG file up to its pixels. Of its checksums nobody gets to see one.
+/// A PNG file up to its pixels. Its checksums are never read.
 std::string png(int width, int height, char bits, char color) {
   return "\x89PNG\r\n\x1a\n" + number(13, true) + "IHDR" +
          number(width, true) + number(height, true) + bits + color +
          std::string(3, '\0') + number(0) + number(0) + "IEND" + number(0);
 }
 
-/// Whether the file is refused with these words, and hardly any memory.
+/// Whether the file is refused with these words, and with hardly any memory.
 void check_refused(const std::string& path, const std::string& words) {
   CAPTURE(path);
   largest_allocation = 0;
@@ -78,7 +78,7 @@ TEST_CASE("a large picture of one color is read, though its file is small") {
 }
 
 // A gigabyte that takes no room on the disk.
-TEST_CASE("of a file that is too long no more is read than is needed") {
+TEST_CASE("no more of a file that is too long is read than is needed") {
   const TemporaryFolder folder;
   const auto lengthen = [&](const std::string& path) {
     fs::resize_file(path, std::uintmax_t{1} << 30);

@@ -69,7 +69,7 @@ TEST_CASE("a picture that is 3 % darker everywhere is not the same") {
   CHECK(comparison.confirmed[0].sign() == -1);
 }
 
-TEST_CASE("a darker 4x4 tile is found where it is, and said so") {
+TEST_CASE("a darker 4x4 tile is found and reported where it is") {
   const Region tile{8, 20, 4, 4};
   const Comparison comparison = compare([&](int samples, std::uint64_t seed) {
     RenderResult result = noise(samples, seed);
@@ -95,7 +95,7 @@ TEST_CASE("a darker 4x4 tile is found where it is, and said so") {
   CHECK(text.find("(lower left)") != std::string::npos);
 }
 
-TEST_CASE("what is not a number is not the same") {
+TEST_CASE("a picture with NaN is not the same") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Comparison in_mean = compare([&](int samples, std::uint64_t seed) {
     RenderResult result = noise(samples, seed);
@@ -108,8 +108,8 @@ TEST_CASE("what is not a number is not the same") {
   CHECK_FALSE(difference.same({}));
 }
 
-// One pixel met a path of 1000 times its brightness: 1/64 of 1000 on top of
-// its mean, and a variance to match. That is noise, and must be taken for it.
+// One pixel has a path of 1000 times its brightness: its mean grows by 1/64 of
+// 1000, and its variance accordingly. That is noise, and must count as noise.
 TEST_CASE("a firefly is noise") {
   const Comparison comparison = compare([](int samples, std::uint64_t seed) {
     RenderResult result = noise(samples, seed);
@@ -156,8 +156,8 @@ TEST_CASE("the computed false alarms are those of the normal distribution") {
         doctest::Approx(243 * 1.0825e-5 * 1.0825e-5 / 2).epsilon(1e-2));
 }
 
-// Every golden against every other one of its size: a test that lets two
-// different scenes pass would let anything pass.
+// Compares every golden with every other one of its size: a test that accepts
+// two different scenes would accept anything.
 TEST_CASE("no golden is taken for another scene's") {
   std::vector<Golden> goldens;
   for (int stage = 1; stage <= 5; ++stage) {

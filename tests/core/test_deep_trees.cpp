@@ -1,4 +1,4 @@
-// Shapes that are hard on a tree of boxes: about one center, all in one
+// Shapes that are hard for a tree of boxes: around one center, all in one
 // place, or each far from all others.
 
 #include <doctest/doctest.h>
@@ -41,7 +41,7 @@ std::vector<Sphere> random_spheres(int count) {
 
 }  // namespace
 
-TEST_CASE("a tree whose parts are halved is as low as it can be") {
+TEST_CASE("a tree that is always cut in halves has the fewest levels") {
   for (const int count : {64, 100, 513, 4096, 5000}) {
     std::vector<std::uint32_t> order;
     const auto spheres = random_spheres(count);
@@ -51,16 +51,16 @@ TEST_CASE("a tree whose parts are halved is as low as it can be") {
   }
 }
 
-TEST_CASE("a tree of shapes in one place is as low as it can be") {
+TEST_CASE("a tree of shapes in one place has the fewest levels") {
   const std::vector<Sphere> same(5000, sphere({1, 2, 3}, 1));
   std::vector<std::uint32_t> order;
   const BoundingVolumeHierarchy tree(same, order);
   CHECK(tree.levels() == even_levels(same.size()));
 }
 
-// Each sphere is 17 times as far away as the one before, so each cut takes
+// Each sphere is 17 times as far away as the previous one, so each cut takes
 // one away. Those in the middle cannot be cut at all.
-TEST_CASE("a tree that is cut as badly as can be has room to be walked") {
+TEST_CASE("the most badly cut tree still fits the traversal stack") {
   std::vector<Sphere> spheres(600, sphere(Vec3(0), 1e-9f));
   for (int axis = 0; axis < 3; ++axis) {
     float distance = 1e-8f;
@@ -99,10 +99,11 @@ TEST_CASE("a tree that is cut as badly as can be has room to be walked") {
   CHECK(hits > 100);
 }
 
-// From outside, a ray meets the outermost first, at 3. A box that it enters
-// before may hold what is nearer; those of spheres below 1 / sqrt(3) of the
-// outermost lie within it. Cut anyhow, all boxes hold large spheres.
-TEST_CASE("of shells about one center the inner ones are not tried") {
+// From outside, a ray hits the outermost shell first, at 3. Only boxes that it
+// enters before may hold a nearer hit; the boxes of spheres smaller than
+// 1 / sqrt(3) of the outermost lie within it. With careless cuts, all boxes
+// would hold large spheres.
+TEST_CASE("of concentric shells the inner ones are not tested") {
   std::vector<Sphere> shells;
   for (int i = 0; i < 8000; ++i) {
     shells.push_back(

@@ -15,7 +15,7 @@ namespace {
 
 const Ray ray{{0, 0, 0}, {0, 0, 1}};
 
-/// Casts rays for ever.
+/// Casts rays forever.
 Vec3 never(const Scene& scene) {
   for (Vec3 sum(0);;) {
     if (scene.nearest_hit(ray)) sum += Vec3(1);
@@ -29,7 +29,7 @@ Scene scene_of(int width, int height) {
   return scene;
 }
 
-/// One sample throws when some have begun, and the others never end.
+/// One sample throws after some others have begun, which never end.
 template <class Exception>
 struct Throwing {
   const Scene& scene;
@@ -52,7 +52,7 @@ struct NoStandardException {
 
 }  // namespace
 
-TEST_CASE("what a path tracer throws comes out of the render") {
+TEST_CASE("an exception of the path tracer comes out of the render") {
   Scene scene = scene_of(100, 80);
   for (const int threads : {1, 2, 8}) {
     const RenderSettings settings{.samples_per_pixel = 4, .threads = threads};
@@ -71,8 +71,8 @@ TEST_CASE("a thread casts rays as before after a render that threw") {
   for (int i = 0; i < 1000; ++i) scene.nearest_hit(ray);
 }
 
-// The samples that are complete count, and the one that was cut does not: as
-// it ends, or where the path tracer catches what was to end it.
+// Complete samples count, and the interrupted one does not, even if the path
+// tracer catches the exception that should end it.
 TEST_CASE("a render can be stopped within a sample") {
   struct Endless {
     const Scene& scene;
@@ -115,7 +115,7 @@ TEST_CASE("a render can be stopped within a sample") {
   }
 }
 
-TEST_CASE("a render that takes absurdly long is announced") {
+TEST_CASE("a render that will take absurdly long is announced") {
   const auto warning = [](double samples, double rays) {
     return cost_warning({samples, rays, 1, 2, 4e6}).value_or("");
   };
@@ -127,7 +127,7 @@ TEST_CASE("a render that takes absurdly long is announced") {
   CHECK(warning(398, 2e7) ==
         "each sample follows about 50 k rays; the picture would take about 3 "
         "hours; fewer --max-bounces take less");
-  // Many rays, and yet a quarter of an hour; for hours, and yet few rays.
+  // Many rays, but only a quarter of an hour; hours, but only few rays.
   CHECK(warning(4000, 2e7) == "");
   CHECK(warning(398, 2e5) == "");
   // A render that has just begun.

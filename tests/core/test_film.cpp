@@ -73,9 +73,9 @@ TEST_CASE("mean and variance equal those taken in two passes") {
   check_against_two_passes(samples);
 }
 
-// The mean of squares minus the square of the mean would keep no digit: the
+// The mean of squares minus the square of the mean would lose all digits: the
 // squares are 10^12, the variance about 1/12.
-TEST_CASE("a small scatter about a large mean is not lost") {
+TEST_CASE("a small variance around a large mean is not lost") {
   Random random(2, 0, 0);
   std::vector<Vec3> samples;
   for (int i = 0; i < 10000; ++i) {

@@ -126,7 +126,7 @@ TEST_CASE("rays behind, beside and within a flat shape do not hit it") {
   CHECK_FALSE(geometry.nearest_hit({{0, 0, 0}, {0.6f, 0.8f, 0}}));
 }
 
-// The tolerance at the edges is in proportion to them and to the ray's way,
+// The tolerance at the edges is proportional to them and to the ray's length,
 // so a needle of 1e-4 beside an edge of 1e4 keeps its shape.
 TEST_CASE("long, thin and tiny flat shapes have sharp edges too") {
   struct Size {
@@ -151,7 +151,7 @@ TEST_CASE("long, thin and tiny flat shapes have sharp edges too") {
   }
 }
 
-TEST_CASE("a slanted flat shape puts its hits on itself") {
+TEST_CASE("hits of a slanted flat shape lie on it") {
   Random random(1, 0, 0);
   int hits = 0;
   for (int i = 0; i < 2000; ++i) {

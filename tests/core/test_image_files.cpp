@@ -17,7 +17,7 @@ namespace {
 
 const std::string pictures = PICTURES "/";
 
-/// The formats that hold all of a render.
+/// The formats that store a complete render.
 std::vector<std::string> whole_formats() {
   return has_exr ? std::vector<std::string>{".pfm", ".exr"}
                  : std::vector<std::string>{".pfm"};
@@ -43,7 +43,7 @@ TEST_CASE("a file gives back radiance and variance to the last bit") {
   }
 }
 
-TEST_CASE("a .pfm does not say by which program it was rendered") {
+TEST_CASE("a .pfm file does not name the program that rendered it") {
   RenderResult other = picture();
   other.info.stage = "stage6";
   other.info.version = "9.9.9";
@@ -106,7 +106,7 @@ TEST_CASE("PFM and PPM files hold linear radiance, not what is shown") {
   }
 }
 
-TEST_CASE("the ending tells the format in capitals too") {
+TEST_CASE("the file extension gives the format, also in capitals") {
   const TemporaryFolder folder;
   write_image(folder / "A.PFM", picture(), {});
   CHECK(bytes_of(folder / "A.PFM").substr(0, 3) == "PF\n");

@@ -1,9 +1,9 @@
-// A ray that leaves a surface must not meet it again at once, wherever the
+// A ray that leaves a surface must not hit it again at once, wherever the
 // surface is and however large, and must not start so far off that it misses
 // what touches the surface.
 //
 // A shape of 1 mm at 10 km cannot be described by floats. So shapes are
-// tested where 2^-16 of the way to them is at most a tenth of their size.
+// tested where 2^-16 of their distance is at most a tenth of their size.
 
 #include <doctest/doctest.h>
 
@@ -190,7 +190,7 @@ TEST_CASE("a ray starts within a few roundings of its surface") {
 
 // A ball of radius r on the floor is d^2 / 2r above it at a distance d from
 // the point where it stands: at r/1000 that is r/2,000,000. A floor that is a
-// ball itself, of the size of a hill or of a moon, is as good as flat.
+// ball itself, of the size of a hill or of a moon, is practically flat.
 TEST_CASE("no light leaks under a ball that stands on the floor") {
   constexpr float r = 0.3f;
   for (const float floor_radius : {0.0f, 1e3f, 1e5f}) {
@@ -202,14 +202,14 @@ TEST_CASE("no light leaks under a ball that stands on the floor") {
             {-0.5f, -1 - floor_radius, 0.25f}, floor_radius, &material});
       }
     };
-    // One by itself says where it is hit; the other is then in the way.
+    // Each by itself gives the hit; then the other must block the ray.
     const Sphere standing{{-0.5f, -1 + r, 0.25f}, r, &material};
     Geometry floor, ball, both;
     add_floor(floor);
     ball.add(standing);
     add_floor(both);
     both.add(standing);
-    // Slots are counted in each geometry for itself.
+    // Each geometry has its own slots.
     const auto on_top = both.nearest_hit({{-0.5f, 1, 0.25f}, {0, -1, 0}});
     REQUIRE(on_top);
     const std::int32_t ball_slot = on_top->slot;
@@ -226,7 +226,7 @@ TEST_CASE("no light leaks under a ball that stands on the floor") {
         REQUIRE(hit);
         CHECK(both.occluded(spawn_ray(*hit, {0, 1, 0}), 5));
 
-        // And the other way: from the ball down to the floor.
+        // And in reverse: from the ball down to the floor.
         auto under = ball.nearest_hit({point - Vec3(0, 0.5f, 0), {0, 1, 0}});
         REQUIRE(under);
         under->slot = ball_slot;
@@ -236,7 +236,7 @@ TEST_CASE("no light leaks under a ball that stands on the floor") {
   }
 }
 
-// The ray is drawn 1 to the side and 1 down; the exact answer is in doubles.
+// The ray goes 1 to the side and 1 down; the exact answer is in doubles.
 TEST_CASE("a huge ball is hit where it is, not where its center rounds to") {
   Random random(1, 0, 0);
   for (const float radius : {1e2f, 1e3f, 1e4f, 1e5f}) {

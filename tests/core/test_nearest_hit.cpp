@@ -1,4 +1,5 @@
-// Eight lanes at once against one shape after another in double precision.
+// Compares eight lanes at once with one shape after another in double
+// precision.
 
 #include <doctest/doctest.h>
 
@@ -43,7 +44,7 @@ struct Meeting {
   std::uint32_t index = 0;
 };
 
-/// Closer than this to an edge, a rim or the ray's start is not certain.
+/// A hit closer than this to an edge, a rim or the ray's start is uncertain.
 constexpr double doubt = 1e-4;
 
 Meeting meet(const Plane& plane, const Double3& o, const Double3& w) {
@@ -147,7 +148,7 @@ void add_random_shape(Geometry& geometry, Random& random) {
 
 // Distances come from sums of a few products of numbers up to about 20, each
 // rounded to 24 bits, divided by the cosine: within 2^-24 * 20 * 10 / cos.
-// Two surfaces closer together than that may change places.
+// Two surfaces closer together than that may be hit in either order.
 void check_ray(const Geometry& geometry, const Reference& reference,
                const Ray& ray) {
   const std::optional<Hit> hit = geometry.nearest_hit(ray);

@@ -1,4 +1,4 @@
-// PNG and JPEG: colors as they are stored, and whole.
+// PNG and JPEG: the colors as stored, and complete files only.
 
 #include <doctest/doctest.h>
 
@@ -24,7 +24,7 @@ std::string text(const Texel& texel) {
          std::to_string(texel[2]);
 }
 
-/// A texture's complaint; "" if it can be used.
+/// The message that refuses a texture; "" if it can be used.
 std::string texture_complaint(const TemporaryFolder& folder,
                               const std::string& name) {
   try {
@@ -71,7 +71,7 @@ TEST_CASE("alpha and transparency leave a texture's colors as stored") {
   }
 }
 
-TEST_CASE("a JPEG is read, with what is behind its end marker or without") {
+TEST_CASE("a JPEG is read, with or without data behind its end marker") {
   const TemporaryFolder folder;
   for (const char* name : {"corners.jpg", "corners_progressive.jpg"}) {
     CAPTURE(name);
@@ -163,7 +163,7 @@ TEST_CASE("other formats of textures need OpenImageIO") {
 // Viewers decode by what the file says. Before the pixels stand chunks of
 // length, name, data and a sum; gAMA has 100000 times the exponent of the
 // encoding, and an sRGB chunk would overrule it.
-TEST_CASE("a PNG file says by which gamma it is encoded") {
+TEST_CASE("a PNG file names the gamma of its encoding") {
   const TemporaryFolder folder;
   using enum ToneStep;
   const auto exponent = [&](const ToneMapping& mapping) {

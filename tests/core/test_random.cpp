@@ -1,5 +1,5 @@
-// Random numbers. Every draw here is with fixed seeds, so that these tests do
-// the same each time; the bounds are those of the statistics.
+// Random numbers. All seeds here are fixed, so that these tests do the same
+// each time; the bounds come from statistics.
 
 #include <doctest/doctest.h>
 
@@ -39,7 +39,7 @@ float first(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample) {
 
 // 2^25 draws of 2^24 values: the largest is among them with probability
 // 1 - e^-2, the least too, and with this seed both are. A number that rounds
-// up to 1 would be found just as surely, and makes 1 - u^2 or a logarithm go
+// up to 1 would be drawn just as surely, and 1 - u^2 or a logarithm would be
 // wrong in one pixel of thousands.
 TEST_CASE("uniform numbers reach 0 and the last number before 1, never 1") {
   Random random(2, 2, 3);
@@ -95,10 +95,11 @@ TEST_CASE("the two numbers of a pair are independent") {
   check_uniform_in_square([&](std::uint64_t) { return random.uniform_2d(); });
 }
 
-// Both are cut from one 64-bit number. Any bit of the one against any bit of
-// the other: in n pairs they agree n/2 times, with a standard deviation of
-// sqrt(n)/2. At the significance of the other tests the extremes of 24 x 24
-// comparisons lie within 6 deviations; a bit that both share is 141 off.
+// Both are cut from one 64-bit number. Compares each bit of the one with each
+// bit of the other: in n pairs they agree n/2 times, with a standard
+// deviation of sqrt(n)/2. At the significance of the other tests the extremes
+// of 24 x 24 comparisons lie within 6 deviations; a bit that both share is
+// 141 off.
 TEST_CASE("the two numbers of a pair share no bit") {
   constexpr int n = 20000;
   std::vector<int> agreements(24 * 24);
@@ -129,7 +130,7 @@ TEST_CASE("successive numbers of a sequence are independent") {
   });
 }
 
-// What a camera ray gets, over all samples of a pixel and over all pixels.
+// The numbers of a camera ray, over all samples of a pixel and over all pixels.
 TEST_CASE("first pairs over samples, pixels and seeds fill the square") {
   check_uniform_in_square(
       [](std::uint64_t i) { return Random(1, 7, i).uniform_2d(); });
@@ -140,7 +141,7 @@ TEST_CASE("first pairs over samples, pixels and seeds fill the square") {
 }
 
 // Pairs that do not overlap, so that the points are independent.
-TEST_CASE("neighbouring samples, pixels and seeds are independent") {
+TEST_CASE("neighboring samples, pixels and seeds are independent") {
   SUBCASE("samples") {
     check_uniform_in_square([](std::uint64_t i) {
       return Vec2(first(1, 7, 2 * i), first(1, 7, 2 * i + 1));

@@ -50,7 +50,7 @@ Film rendered(int width, int height, int samples, int threads,
   return film;
 }
 
-/// How many pixels of two films are not the same to the last bit.
+/// How many pixels of two films differ in some bit.
 int different_pixels(const Film& a, const Film& b) {
   int count = 0;
   for (std::size_t i = 0; i < a.pixels().size(); ++i) {
@@ -70,7 +70,7 @@ constexpr std::pair<int, int> sizes[] = {{1, 1},   {7, 5},  {8, 8}, {9, 17},
 
 }  // namespace
 
-// The reference is made here without tiles, passes or threads.
+// This test computes the reference without tiles, passes or threads.
 TEST_CASE("a render is each pixel's samples in order, whatever its size") {
   for (const auto& size : sizes) {
     const int width = size.first, height = size.second;
@@ -123,11 +123,11 @@ TEST_CASE("every pixel gets exactly the samples asked for") {
   }
 }
 
-// Were a sample's numbers used again in a later pass, its pixel's variance
-// would still look right, and its mean would not settle.
+// If a later pass used a sample's numbers again, the pixel's variance would
+// still look right, but its mean would not converge.
 TEST_CASE("no pass repeats the numbers of another") {
   const Film film = rendered(4, 4, 1000, 1);
-  // n uniform numbers: the mean within 4.9 / sqrt(12 n), one of 32 at most.
+  // n uniform numbers each: all 32 means are within 4.9 / sqrt(12 n).
   const double bound = 4.9 / std::sqrt(12.0 * 1000);
   for (const Pixel& pixel : film.pixels()) {
     CHECK(std::abs(pixel.mean[0] - 0.5) < bound);
@@ -189,9 +189,8 @@ TEST_CASE("a render that is stopped before it began leaves a black film") {
   for (const Vec3& pixel : film.radiance().pixels) CHECK(pixel == Vec3(0));
 }
 
-// 20 x 20 pixels; stopped in the middle of the pass from 4 to 8 samples, so a
-// pixel has either; and what it has are its first samples, as if they had
-// been all.
+// 20 x 20 pixels, stopped in the middle of the pass from 4 to 8 samples. So
+// each pixel has 4 or 8 samples, and they are the first of its sequence.
 TEST_CASE("a render that is interrupted leaves a whole picture behind") {
   struct Interrupting {
     std::atomic<bool>& stop;
@@ -228,7 +227,7 @@ TEST_CASE("a render that is interrupted leaves a whole picture behind") {
   }
 }
 
-TEST_CASE("a painting is what the film of its settings has, and knows it") {
+TEST_CASE("a picture has the film's pixels and records its settings") {
   Scene scene;
   scene.camera.width = 11;
   scene.camera.height = 9;
@@ -247,8 +246,8 @@ TEST_CASE("a painting is what the film of its settings has, and knows it") {
 }
 
 // A sample is dropped where its first number is below 1 %: of 40 x 30 pixels
-// with 20 samples each about 240 are. Which is first is worked out here one by
-// one; the threads come to them in any order.
+// with 20 samples each about 240 are. This test finds the first one
+// pixel by pixel; the threads reach them in any order.
 TEST_CASE("the first sample that is not finite is named") {
   struct Dropping {
     Dropping(const Scene&, const RenderSettings&) {}
@@ -287,7 +286,7 @@ TEST_CASE("the first sample that is not finite is named") {
   }
 }
 
-TEST_CASE("a sample by itself is the one that the picture has") {
+TEST_CASE("a sample by itself is the same as in the picture") {
   Scene scene;
   scene.camera.width = 7;
   scene.camera.height = 5;

@@ -1,4 +1,4 @@
-// The values that FNV's authors publish with it, and a scene's own.
+// The values that the authors of FNV publish, and the hash of a scene.
 
 #include <doctest/doctest.h>
 

@@ -44,7 +44,7 @@ TEST_CASE("a plane's normal is its own, from whichever side it is hit") {
   CHECK(hit->normal == Vec3(1, 0, 0));
 }
 
-// From height 3 at 45 degrees the way down is 3 sqrt(2), and 3 sideways.
+// From height 3 at 45 degrees the distance is 3 sqrt(2), and 3 sideways.
 TEST_CASE("a plane is hit at an angle where it should be") {
   const Plane floor{{0, 1, 0}, -2, &material};  // at y = 2
   const auto hit = meet(floor, {1, 5, -1}, {1, -1, 0});
@@ -64,7 +64,7 @@ TEST_CASE("a plane behind the ray, beside it or around it is not hit") {
   CHECK_FALSE(meet(floor, {0, -1, 0}, {0, -1, 0}));
 }
 
-TEST_CASE("a slanted plane puts its hits on itself") {
+TEST_CASE("hits of a slanted plane lie on it") {
   Random random(1, 0, 0);
   for (int i = 0; i < 1000; ++i) {
     const Plane plane{random_direction(random), 3 * random.uniform(),
@@ -78,7 +78,7 @@ TEST_CASE("a slanted plane puts its hits on itself") {
   }
 }
 
-TEST_CASE("a plane is hit on itself at the origin, where floats are fine") {
+TEST_CASE("hits of a plane at the origin, where floats are fine, lie on it") {
   Random random(1, 0, 0);
   int hits = 0;
   for (int i = 0; i < 1000; ++i) {

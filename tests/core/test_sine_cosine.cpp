@@ -1,4 +1,5 @@
-// Sine and cosine, against the standard library's in double precision.
+// Compares sine and cosine with those of the standard library in double
+// precision.
 
 #include <doctest/doctest.h>
 

@@ -92,7 +92,7 @@ TEST_CASE("a PFM file begins with its bottom row") {
   CHECK(encode_pfm(image) == "PF\n1 2\n-1.0\n" + floats({4, 5, 6, 1, 2, 3}));
 }
 
-TEST_CASE("PFM files of the other byte order and grey ones are read") {
+TEST_CASE("PFM files of the other byte order and gray ones are read") {
   std::string big = floats({1.5f, -2, 1e-3f});
   for (std::size_t i = 0; i < big.size(); i += 4) {
     std::swap(big[i], big[i + 3]);
@@ -122,13 +122,13 @@ TEST_CASE("PFM headers may have blanks, and lines that end in CR LF") {
   }
 }
 
-TEST_CASE("behind its picture a PFM file has the variance, and what it is") {
+TEST_CASE("behind the pixels a PFM file has the variance and its settings") {
   RenderResult written;
   written.radiance = random_image(3, 2, 1);
   written.variance = random_image(3, 2, 7);
   written.info.seed = 7;
   const std::string bytes = encode_pfm(written);
-  // Other programs find a plain PFM file.
+  // For other programs it is a plain PFM file.
   CHECK(bytes.starts_with(encode_pfm(written.radiance) + "PF\n# "));
   const RenderResult read = decode_pfm(bytes);
   CHECK(read.variance.pixels == written.variance.pixels);
@@ -193,7 +193,7 @@ TEST_CASE("a black image is a PPM file too") {
 }
 
 // 7 of 15 at MAX = 2.5 is 1.1667.
-TEST_CASE("the course's example of a PPM file is read as it means") {
+TEST_CASE("the course's example of a PPM file is read correctly") {
   const Image image = decode_ppm(feep).radiance;
   REQUIRE(image.width == 4);
   REQUIRE(image.height == 4);

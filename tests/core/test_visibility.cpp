@@ -35,7 +35,7 @@ TEST_CASE("what lies between two points hides them from each other") {
   }
 }
 
-// Without the bound, the wall behind a lamp would put the room in the dark.
+// Without the bound, the wall behind a lamp would darken the room.
 TEST_CASE("what lies beyond the end does not hide it") {
   for (const Geometry& geometry : blockers()) {
     CHECK(visible(geometry, {0, 0, -5}, {0, 0, -1}));
@@ -51,7 +51,7 @@ TEST_CASE("what lies before the start does not hide the end") {
   }
 }
 
-TEST_CASE("what lies beside the way does not hide the end") {
+TEST_CASE("what lies beside the ray does not hide the end") {
   const auto geometries = blockers();
   for (std::size_t i = 1; i < geometries.size(); ++i) {  // not the plane
     CAPTURE(i);

@@ -144,10 +144,10 @@ TEST_CASE("no ray aimed at an edge or a corner leaves a closed cube") {
   });
 }
 
-// From outside a gap shows the inside of the far faces. A ray that meets the
-// seam of two faces that both look at it must meet one of them. Seams with a
-// face on their other side are the outline, where a ray may pass.
-TEST_CASE("no ray enters a cube between two faces that look at it") {
+// From outside a gap shows the inside of the far faces. A ray that hits the
+// seam of two faces that both face it must hit one of them. Seams with only
+// one face that faces the ray are the outline, where a ray may pass.
+TEST_CASE("no ray enters a cube between two faces that face the ray") {
   for (const float distance : {4.0f, 20.0f, 100.0f}) {
     Random random(1, 0, 0);
     int slipped = 0, aimed = 0;
@@ -184,7 +184,7 @@ TEST_CASE("no ray enters a cube between two faces that look at it") {
 }
 
 // Most leaks begin in a corner: a hit on one wall is rounded to the far side
-// of the next one, which the path then never meets.
+// of the next one, which the path then never hits.
 TEST_CASE("no path leaves a closed cube") {
   for_each_cube(
       [](const Cube& cube, const Geometry& geometry, Random& random) {

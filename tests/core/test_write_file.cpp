@@ -55,7 +55,7 @@ TEST_CASE("a file cannot be written where a folder is, or none") {
   CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("two writers of one file have each a file of their own") {
+TEST_CASE("two writers of one file each have a temporary file of their own") {
   const TemporaryFolder folder;
   store(folder / "a", "old");
   const FilePlace place = find_file_place(folder / "a");
@@ -91,9 +91,9 @@ TEST_CASE("a place that can be written passes the check, without a trace") {
 }
 
 #ifndef _WIN32
-// A full disk, simulated: no file may grow beyond some bytes. With one byte
-// too few it is the very last write that fails; of a small file it is the only
-// one, and it happens when the file is closed.
+// A simulated full disk: no file may grow beyond some bytes. With one byte too
+// few, the very last write fails; for a small file this is the only write, when
+// the file is closed.
 TEST_CASE("a full disk leaves the old file and nothing unfinished") {
   const TemporaryFolder folder;
   store(folder / "a", "the old file");
@@ -116,8 +116,8 @@ TEST_CASE("a full disk leaves the old file and nothing unfinished") {
   CHECK(complaint(folder / "a", std::string(20, 'x')) == "");
 }
 
-// A program of its own is killed in the middle of a write: by the signal that
-// a file is too long, which comes at a known byte. kill -9 does no more.
+// A separate program is killed in the middle of a write: by the signal for too
+// long a file, which comes at a known byte. kill -9 would do the same.
 TEST_CASE("a program that is killed while it writes leaves the old file") {
   const TemporaryFolder folder;
   store(folder / "a", "the old file");
@@ -136,7 +136,7 @@ TEST_CASE("a program that is killed while it writes leaves the old file") {
 }
 #endif
 
-TEST_CASE("control characters of names are spelt out, and nothing else") {
+TEST_CASE("control characters of names are escaped, and nothing else") {
   CHECK(escaped("a.exr") == "a.exr");
   CHECK(escaped("\n\x1b[2J\x7f") == "\\x0a\\x1b[2J\\x7f");
   CHECK(escaped("\xc2\x9b") == "\\xc2\\x9b");                // ESC [ in one

@@ -16,7 +16,7 @@
 
 namespace lightwalk::tests {
 
-/// `v == Near{value, tolerance}`: at most so far apart.
+/// `v == Near{value, tolerance}`: at most `tolerance` apart.
 struct Near {
   Vec3 value;
   float tolerance;

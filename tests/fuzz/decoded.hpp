@@ -9,7 +9,7 @@
 
 namespace lightwalk::fuzz {
 
-/// The pictures that some bytes are, or nothing where they are refused with a
+/// The picture that some bytes encode, or nullopt if they are refused with a
 /// reason.
 template <class Decode>
 std::optional<RenderResult> decoded(Decode decode, const std::uint8_t* data,

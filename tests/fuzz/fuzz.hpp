@@ -1,7 +1,7 @@
 #pragma once
 
-// What the harnesses share. A harness takes any bytes at all, and ends the
-// program where what must hold does not; libFuzzer then keeps the bytes.
+// What the harnesses share. A harness takes any bytes, and ends the program if
+// a check fails; then libFuzzer keeps the bytes.
 
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ namespace lightwalk::fuzz {
 
 using tests::text;
 
-/// Where a harness reports, also where libFuzzer throws stderr away.
+/// Where a harness reports, even if libFuzzer discards stderr.
 inline std::FILE* const report = fdopen(dup(STDERR_FILENO), "w");
 
 /// Ends the program with a finding unless `what` holds.
@@ -39,7 +39,7 @@ inline std::string text_of(const std::uint8_t* data, std::size_t size) {
                    : std::string(reinterpret_cast<const char*>(data), size);
 }
 
-/// Whether a message is one line, and does nothing to a terminal.
+/// Whether a message is one line, without control characters.
 inline bool is_one_line(std::string_view message) {
   for (const char c : message) {
     const auto byte = static_cast<unsigned char>(c);
@@ -48,7 +48,7 @@ inline bool is_one_line(std::string_view message) {
   return !message.empty();
 }
 
-/// Fails where an image that was read is not whole.
+/// Fails if an image that was read is incomplete.
 inline void check_pixels(int width, int height, std::size_t count) {
   expect(width > 0 && height > 0, "an image has pixels");
   expect(count == static_cast<std::size_t>(width) *

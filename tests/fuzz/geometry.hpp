@@ -1,6 +1,6 @@
 #pragma once
 
-// Shapes and rays out of any bytes. Numbers are like those of scenes: whole
+// Makes shapes and rays from any bytes. Numbers are like those of scenes: whole
 // numbers and fractions, so that edges touch and rays hit corners, times a
 // scale.
 
@@ -14,7 +14,7 @@ namespace lightwalk::fuzz {
 
 inline const Material material;
 
-/// Reads numbers, vectors and shapes; zeros where the bytes have ended.
+/// Reads numbers, vectors and shapes; zeros after the end of the bytes.
 class Numbers {
  public:
   Numbers(const std::uint8_t* data, std::size_t size) : bytes_(data, size) {}
@@ -71,8 +71,8 @@ class Numbers {
   FuzzedDataProvider bytes_;
 };
 
-/// What holds of every hit in a scene whose coordinates are at most
-/// `scene_size`: where a shape is, is rounded as its largest coordinate is.
+/// Checks what holds for every hit in a scene whose coordinates are at most
+/// `scene_size`: a position is rounded like its largest coordinate.
 inline void check_hit(const Ray& ray, const Hit& hit, float scene_size) {
   expect(hit.distance > 0 && hit.distance < infinity,
          "a hit's distance is above 0 and finite",

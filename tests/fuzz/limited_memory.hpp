@@ -2,10 +2,10 @@
 
 namespace lightwalk::fuzz {
 
-/// While it lives, the program has little memory: `new` throws bad_alloc for
-/// a block of more than 16 MB, as it would anywhere for a larger one. How much
-/// a file may make a program ask for is tested in
-/// tests/core/test_broken_image_files.cpp.
+/// While this object exists, the program has little memory: `new` throws
+/// bad_alloc for a block of more than 16 MB, as it always does for a larger
+/// one. tests/core/test_broken_image_files.cpp tests how much memory a file may
+/// make a program request.
 class LimitedMemory {
  public:
   LimitedMemory();

@@ -1,5 +1,5 @@
 // The course's PPM files: refused with a reason, or read, and then written and
-// read again to half a step of what a number stands for.
+// read again, to half a step of the stored numbers.
 
 #include <cmath>
 #include <limits>

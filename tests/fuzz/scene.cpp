@@ -1,5 +1,5 @@
 // Scene files: refused in one line that begins with the place, or loaded, and
-// then the scene is one that rays can be sent into. Textures are found in the
+// then the scene can be rendered. Textures are found in the
 // scene's folder, never outside.
 
 #include "common/scene_file/scene_file.hpp"
@@ -35,7 +35,7 @@ struct Folder {
   }
 };
 
-/// The scene, or none where it is refused.
+/// The scene, or nullopt if it is refused.
 std::optional<LoadedScene> load(const std::string& text,
                                 const std::string& path, int stage) {
   try {
@@ -71,8 +71,8 @@ void check(const LoadedScene& loaded) {
   }
 }
 
-/// Follows a few paths. What they bring may be too large for a float, but the
-/// surfaces that they meet have places and normals.
+/// Follows a few paths. Their radiance may be too large for a float, but the
+/// surfaces that they hit have finite positions and normals.
 void send_rays(const LoadedScene& loaded) {
   const Scene& scene = loaded.scene;
   RenderSettings settings;

@@ -1,6 +1,6 @@
-// One shape and a ray: a hit lies ahead, on the ray and on the shape. It is
-// there where school formulas in double precision say so beyond doubt. A ray
-// that leaves the shape does not meet it again where it cannot.
+// One shape and a ray: a hit lies ahead, on the ray and on the shape. It must
+// agree with textbook formulas in double precision, unless rounding decides. A
+// ray that leaves the shape must not hit it again where it cannot.
 
 #include "tests/fuzz/geometry.hpp"
 
@@ -9,7 +9,7 @@ using namespace lightwalk::fuzz;
 
 namespace {
 
-/// How far a place is off a shape, to be measured by rounding.
+/// The distance of a point from a shape, to compare with rounding.
 double off(const Plane& plane, const Vec3& place) {
   return std::abs(dot(DoubleVec3(plane.normal), DoubleVec3(place)) +
                   static_cast<double>(plane.distance));
@@ -34,7 +34,7 @@ float size_of(const FlatShape& flat) {
          max_abs_component(flat.edge_v);
 }
 
-/// What school formulas say, where rounding cannot matter.
+/// The hit by textbook formulas, where rounding cannot matter.
 struct Expected {
   bool sure = false;
   double distance = 0;  ///< 0 where the ray misses

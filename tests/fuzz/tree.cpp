@@ -1,8 +1,8 @@
 // Many shapes, searched one by one and in a tree of boxes: the tree finds
-// every hit that lies within its shape's box, and nothing else. Flat shapes
-// reach over their edges where a ray grazes them, out of their boxes; there
-// the tree may miss them. And where a box begins is rounded like where a hit
-// is, so of two hits at nearly the same distance either may be found.
+// every hit that lies within its shape's box, and nothing else. A ray
+// that grazes a flat shape may hit it beyond its edges, outside its box; there
+// the tree may miss it. And the start of a box is rounded as a hit is, so of
+// two hits at nearly the same distance either may be found.
 
 #include "common/math/random.hpp"
 #include "tests/core/twins.hpp"
@@ -30,8 +30,8 @@ void add_copies(Twins& twins, Numbers& numbers, Shape shape, Move move) {
   }
 }
 
-/// The box around what a hit is on, made larger by half of what the tree's
-/// boxes are.
+/// The box around the shape of a hit, enlarged by half as much as the tree's
+/// boxes.
 Bounds box_of(const Geometry& geometry, const Hit& hit) {
   const auto around = [&](const auto& shape) {
     Bounds box = bounds(shape);

@@ -37,7 +37,7 @@ Vec3 position(Random& random, float reach) {
   return reach * (2.0f * Vec3(xy.x, xy.y, z) - 1.0f);
 }
 
-/// Few shapes are searched one by one, many in a tree.
+/// A few shapes are searched one by one, many in a tree.
 void print_hits(int count) {
   const Material material;
   Geometry geometry;
