@@ -1,10 +1,10 @@
-"""Says when stage 6 has lost its speed: what stage 5 takes, over what it takes.
+"""Warns if stage 6 has lost its speed: stage 5's time over stage 6's.
 
     python3 -m tools.bench.bar
 
-One attribute decides whether a step is compiled into one piece, and the loss is
-not seen in any picture. Five alternating runs, medians of seconds of processor
-time. It warns, and is no test: other programs run here, too.
+One attribute makes the compiler inline a whole step, and no picture shows if it
+is missing. Compares the medians of processor time of five alternating runs. It
+only warns and is not a test, since other programs disturb the times.
 """
 
 import re
@@ -18,7 +18,7 @@ BARS = {"AVX2": 2.5, "AVX-512": 3.5}
 
 
 def registers(folder=BUILD):
-    """What stage 6 was compiled for, and "" where it follows one path at a time."""
+    """The registers that stage 6 was compiled for, "" if it follows one path at a time."""
     found = re.search(r", (\S+): \d+ paths at once", run(folder / "stage6", "--version").stdout)
     return found[1] if found else ""
 

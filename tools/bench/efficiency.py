@@ -1,14 +1,14 @@
-"""What equal quality costs: compares estimators by variance times time.
+"""Compares estimators at equal quality, by variance times time.
 
     python3 -m tools.bench.efficiency [--chart build/convergence.svg]
 
-A picture of n samples has the variance v/n and takes n t seconds, so twice
-the quality costs twice the time whatever n is, and 1/(v t) alone says how
+A picture of n samples has the variance v/n and takes n t seconds, so half the
+variance costs twice the time for any n, and the efficiency 1/(v t) measures how
 good an estimator is. v is the mean variance of a sample over all pixels and
-channels, measured as half the mean squared difference of two pictures of one
-sample count and different seeds. The chart shows the noise that is left
-against the time spent, both logarithmic: all lines fall with slope -1/2, and
-the lower one is the better. Needs only the standard library.
+channels, measured as half the mean squared difference of two pictures with the
+same sample count and different seeds. The chart shows the remaining noise
+against the time, both logarithmic: all lines fall with slope -1/2, and the lower
+one is the better. Needs only the standard library.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from tools.weave.drawing import curve, line, svg, text
 
 COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7"]
 
-# A name, a scene, and the two that are compared.
+# A name, a scene, and the two estimators.
 COMPARISONS = [
     (
         "finding the lamp or asking it",
@@ -42,7 +42,7 @@ COMPARISONS = [
 
 
 def paint(program, arguments, scene, spp, seed):
-    """Seconds, and the picture's numbers."""
+    """Seconds, and the picture's values."""
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "picture.pfm"
         options = f"--size 128x128 --spp {spp} --seed {seed}".split()
@@ -52,7 +52,7 @@ def paint(program, arguments, scene, spp, seed):
 
 
 def measure(program, arguments, scene, counts):
-    """For each count of samples, the seconds and the variance left."""
+    """For each count of samples, the seconds and the remaining variance."""
     points = []
     for spp in counts:
         time_a, a = paint(program, arguments, scene, spp, 1)

@@ -1,14 +1,14 @@
-"""What Russian roulette buys at equal time: measures chapter 4's table.
+"""Measures chapter 4's table: the gain by Russian roulette at equal time.
 
     python3 -m tools.bench.equal_time    writes tools/bench/measured/equal_time.toml
 
 Stages 3 and 4 render `scenes/plastic.toml` with several bounds on the bounces,
 on one thread, in turns, with SEEDS seeds each. The variance of a sample is
-that of a pixel over the seeds, times its samples, in the mean of pixels and
-channels. The time of a sample is CPU time, the least of all runs. After T
-seconds T / time samples are done, and the variance left is variance * time /
-T; so the quotient of both products says how much more time stage 3 takes for
-the same noise. Takes minutes. Needs only the standard library.
+that of a pixel over the seeds, times its samples, averaged over pixels and
+channels. The time of a sample is CPU time, the minimum of all runs. T seconds
+are enough for T / time samples, so the variance is then variance * time / T. The
+ratio of the two products says how many times as long stage 3 takes for the same
+noise. Takes minutes. Needs only the standard library.
 """
 
 import argparse
@@ -21,13 +21,13 @@ from tools.tree import ROOT, SCENES, read_pfm, render
 
 TABLE = ROOT / "tools/bench/measured/equal_time.toml"
 SCENE, SIZE, SEEDS = "plastic", "64x64", 6
-# The bound, and the samples of a pixel by each stage.
+# The bound, and each stage's samples per pixel.
 RUNS = [(1, 256, 256), (2, 128, 256), (4, 32, 256), (6, 8, 256), (8, 4, 256)]
 UNBOUNDED = 4096
 
 
 def paint(stage, bound, spp, seed):
-    """The report, and the picture's numbers."""
+    """The report, and the picture's values."""
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "picture.pfm"
         options = f"--size {SIZE} --threads 1 --spp {spp} --seed {seed} --max-bounces {bound}"

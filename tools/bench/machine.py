@@ -1,4 +1,4 @@
-"""What a measurement depends on besides the program: processor and compiler."""
+"""The processor and the compiler, which a measurement depends on."""
 
 import os
 import platform
@@ -11,7 +11,7 @@ CPU_INFO = Path("/proc/cpuinfo")
 
 
 def processor():
-    """A virtual machine names a processor's family only: its numbers say more."""
+    """Name and numbers: on a virtual machine the name is only that of a family."""
     if not CPU_INFO.exists():
         return platform.processor() or platform.machine()
     found = dict(re.findall(r"^(.*?)\s*: (.*)", CPU_INFO.read_text(), re.MULTILINE))

@@ -1,4 +1,4 @@
-"""Keeps what was measured in the folder tools/bench/measured/, for the book and the README.
+"""Stores measurements in the folder tools/bench/measured/, for the book and the README.
 
     make measured       python3 -m tools.bench.measured
 
@@ -19,7 +19,7 @@ FOLDER = ROOT / "tools/bench/measured"
 
 
 def commit_at(time):
-    """What was checked out at this time, as far back as git remembers."""
+    """The commit that was checked out at this time, if the reflog has it."""
     asked = subprocess.run(
         ["git", "rev-parse", "--short", f"HEAD@{{{time.isoformat()}}}"],
         cwd=ROOT,

@@ -2,16 +2,16 @@
 
     make bench-peers
 
-Seconds of processor time and of the clock, with all threads: what Mitsuba takes
-over what we take. Runs alternate, so that whatever else the machine does falls
-on all of them, and medians are compared. First the means of the diffuse boxes'
-pictures must agree: a fast program that paints another picture has won nothing.
-The boxes of all materials are for time only: Mitsuba has no plastic like the
+Processor time and wall-clock time, with all threads: Mitsuba's over ours. Runs
+alternate, so that other load on the machine affects all of them, and we compare
+medians. First the means of the diffuse boxes' pictures must agree: being fast
+with another picture does not count.
+The boxes with all materials compare time only: Mitsuba has no plastic like the
 course's, and its glass follows Fresnel's equations.
 
-The LLVM variant needs libLLVM 16 or newer; DRJIT_LIBLLVM_PATH says where, and
-else the newest of the system's is taken. Without it the scalar variant is timed,
-which --scalar adds beside the other.
+The LLVM variant needs libLLVM 16 or newer: the one that DRJIT_LIBLLVM_PATH names,
+or else the newest of the system. Without it the scalar variant is timed, which
+--scalar adds in any case.
 """
 
 import argparse
@@ -42,7 +42,7 @@ FAR = 40  # planes are infinite here, and rectangles there
 
 
 def bsdf(material):
-    """A material of the course; those that are not diffuse only resemble."""
+    """A material of the course; materials that are not diffuse only look similar."""
 
     def color(key):
         value = material.get(key, 0)
@@ -125,7 +125,7 @@ class Peer:
         self.render(1, 0)  # compiles
 
     def render(self, spp, seed):
-        """Seconds of the processor and of the clock, and the mean radiance."""
+        """Seconds of processor and wall-clock time, and the mean radiance."""
         mitsuba.set_variant(self.variant)
         start, cpu = time.perf_counter(), time.process_time()
         image = numpy.array(mitsuba.render(self.scene, spp=spp, seed=seed))
@@ -145,7 +145,7 @@ class Ours:
 
 
 def llvm_runs():
-    """Whether Mitsuba's LLVM variant can, and with which library."""
+    """Whether Mitsuba's LLVM variant runs, and with which library."""
     if "DRJIT_LIBLLVM_PATH" not in os.environ:
         found = glob.glob("/usr/lib/*/libLLVM*1[6-9]*.so*") + glob.glob("/usr/lib/*/libLLVM.so.*")
         if found:

@@ -1,4 +1,4 @@
-"""What is kept of a measurement says on what it was made."""
+"""Tests that stored measurements name the machine, the compiler and the commit."""
 
 import datetime
 import json

@@ -10,7 +10,7 @@ const { RegisterHTMLHandler } = require(`${js}/handlers/html.js`);
 const { STATE } = require(`${js}/core/MathItem.js`);
 
 RegisterHTMLHandler(liteAdaptor());
-// Those that would take an error as text, and one that has to draw.
+// Without the packages that turn errors into text, and one that needs to draw.
 const without = ["noerrors", "noundefined", "bussproofs"];
 const tex = new TeX({
   packages: AllPackages.filter((name) => !without.includes(name)),

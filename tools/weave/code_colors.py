@@ -1,5 +1,5 @@
-"""The colors of code on light pages and slides: Pygments' `tango`, where what
-is too pale for 4.5 to 1 is darker."""
+"""The colors of code on light pages and slides: Pygments' `tango`, with darker
+colors where its contrast is below 4.5 to 1."""
 
 from pygments.styles.tango import TangoStyle
 from pygments.token import Generic, Name, Operator, String

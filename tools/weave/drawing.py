@@ -1,7 +1,7 @@
-"""What diagrams are drawn with, as SVG: a chapter's drawings.py calls it `d`.
+"""Functions that draw diagrams as SVG: a chapter's drawings.py calls it `d`.
 
-Angles are in degrees from straight up, to the right if positive. Colors are
-those named here, since each has its counterpart for dark pages. Labels are
+Angles are in degrees from straight up, to the right if positive. Use only the
+colors named here, since each has its counterpart for dark pages. Labels are
 never smaller than the text of a page: smaller sizes are raised.
 """
 
@@ -12,7 +12,7 @@ from tools.tree import Failure
 
 INK, SOFT, PAPER = "#222", "#606060", "#fff"
 WARM, COOL, GREEN, RED, LAMP, GRAY = "#a54118", "#1f5fa8", "#2f6f2f", "#a82c2c", "#e8b400", "#444"
-# Fills, on which letters of the above stand out 4.5 to 1.
+# Fills: text in the colors above has a contrast of 4.5 to 1 on them.
 SAND, GLASS, GLOW, FAINT = "#f3e9df", "#d9e4ef", "#fdf0c8", "#ddd"
 ON_DARK = {
     INK: "#dddddd",
@@ -29,7 +29,7 @@ ON_DARK = {
     GLOW: "#453b14",
     FAINT: "#383838",
 }
-# A drawing is this wide on a page, and the page's text is that high.
+# The width of a drawing on a page, and the height of the page's text.
 SHOWN, TEXT = 541, 16
 GREEK = {"w": "ω", "t": "θ", "e": "η"}
 DRAWN = {}
@@ -46,9 +46,9 @@ def diagram(name, width, height):
 
 
 def draw(name):
-    """The drawing for light pages and that for dark ones."""
+    """The drawings for light and for dark pages."""
     if name not in DRAWN:
-        raise Failure(f"nobody draws '{name}'")
+        raise Failure(f"no drawings.py draws '{name}'")
     function, width, height = DRAWN[name]
     light = svg(function(), width, height)
     return light, darkened(light, name)
@@ -57,7 +57,7 @@ def draw(name):
 def darkened(light, name):
     def other(match):
         if match[0] not in ON_DARK:
-            raise Failure(f"drawing '{name}': {match[0]} has no color on dark pages; drawing.py has some")
+            raise Failure(f"drawing '{name}': {match[0]} has no color on dark pages; use one of drawing.py")
         return ON_DARK[match[0]]
 
     return re.sub(r"#[0-9a-fA-F]{3,8}\b", other, light)
@@ -99,8 +99,8 @@ def curve(points, color=INK, width=1.8, dash=""):
 
 
 def text(x, y, words, color=INK, anchor="middle", style="", size=15):
-    """Words; `w_o` in them becomes an omega with a lower o, and so on: w, t
-    and e are omega, theta and eta, other letters are themselves."""
+    """Words; `w_o` in them becomes an omega with the subscript o, and so on: w, t
+    and e are omega, theta and eta, other letters stay."""
     words = re.sub(
         r"\b([A-Za-z])_([A-Za-z0-9])",
         lambda m: (
@@ -165,8 +165,8 @@ def dashed(x1, y1, x2, y2, color=SOFT, width=1.2):
 
 
 def hatched(x1, y1, x2, y2, color=INK, depth=9, step=10):
-    """A surface, hatched on the right of who goes from 1 to 2; so a floor is
-    drawn from left to right."""
+    """A surface, hatched on the right of the direction from 1 to 2; so draw a
+    floor from left to right."""
     yield line(x1, y1, x2, y2, color, 2.2)
     length = math.hypot(x2 - x1, y2 - y1)
     ux, uy = (x2 - x1) / length, (y2 - y1) / length
@@ -207,8 +207,8 @@ def boxes(x, y, rows, widths, height=34, fills=()):
 
 
 def tree(x, y, width, node, step=64, color=INK):
-    """A tree from its root at the top: node is (label, [nodes]). Children
-    share the width by their leaves."""
+    """A tree with its root at the top: node is (label, [nodes]). A child's width is
+    proportional to its leaves."""
     label, children = node
     total = leaves(node)
     left = x - width / 2

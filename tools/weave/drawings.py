@@ -1,4 +1,4 @@
-"""Drawings that belong to no chapter: the recap's, and the lab's box."""
+"""Drawings outside the chapters: the recap's, and the lab's box."""
 
 import math
 import random
@@ -171,8 +171,8 @@ def box_with_axes():
 
 @d.diagram("box-camera", 680, 390)
 def box_with_camera():
-    """From the left: z runs to the right, and what is nearer to you has the
-    smaller x. The walls on this side are transparent."""
+    """From the left: z runs to the right, and nearer things have a smaller x. The
+    walls on this side are transparent."""
     box = scene()
     camera = box["camera"]
     size = 112

@@ -1,6 +1,6 @@
-"""The figures of the book and the slides: a chapter's figures.toml says which it
-has, and its drawings.py draws some of them. What belongs to no chapter is in
-the files of these names beside this one."""
+"""The figures of the book and the slides: a chapter's figures.toml lists its
+figures, and its drawings.py draws some of them. The files of these names beside
+this one have the figures outside the chapters."""
 
 import importlib
 import os
@@ -20,12 +20,12 @@ PLACE = re.compile(r"^// !\[\]\(([\w-]+)\)$|^\{figure\} (\S+)", re.M)
 BOOK = ("stages/**/*.hpp", "common/**/*.hpp", "tools/book/pages/*.md")
 SLIDES = ("slides/*.md",)
 FOLDERS = ("tools/weave", "stages/*")
-# A render uses all processors, but for its start and its end.
+# A render uses all processors, except at its start and its end.
 MOST_AT_ONCE = 4
 
 
 def figure_reference(line, where):
-    """The name of the figure that this line of prose is, if it is one."""
+    """The name of the figure that this line of prose places, or None."""
     found = REFERENCE.match(line)
     if "![" in line and not found:
         raise Failure(f"{where}: a figure is a line by itself, '// ![](name)'")
@@ -39,14 +39,14 @@ def placed_names(patterns):
 
 
 def of_all_folders(name):
-    """The files of this name, with what messages call them."""
+    """The files of this name, with their names in messages."""
     for folder in FOLDERS:
         for path in sorted(ROOT.glob(f"{folder}/{name}")):
             yield path, path.relative_to(ROOT).as_posix()
 
 
 def read_entries():
-    """All that figures.toml say, by the figures' names; `file` says which it was."""
+    """The entries of all figures.toml, by the figures' names; `file` names the file."""
     found = {}
     for path, file in of_all_folders("figures.toml"):
         for entry in tomllib.loads(path.read_text())["figure"]:
@@ -58,14 +58,14 @@ def read_entries():
 
 
 def load_drawings():
-    """Imports what draws: `diagram` of drawing.py keeps it."""
+    """Imports all drawings.py: `diagram` of drawing.py registers their functions."""
     for _, file in of_all_folders("drawings.py"):
         importlib.import_module(file.removesuffix(".py").replace("/", "."))
 
 
 def one_exposure(entry, options):
-    """The options under which a number of radiance looks alike in all panels:
-    no step may depend on the picture's own maximum, as `equalize` does."""
+    """The options that show the same radiance the same in all panels: no step may
+    depend on the picture's own maximum, as `equalize` does."""
     where = f"{entry['file']}: {entry['name']}"
     if entry["exposure"] != "shared":
         raise Failure(f'{where}: exposure is "shared" or not there')
@@ -113,9 +113,8 @@ class Figures:
         ]
 
     def make(self, names):
-        """Makes these figures, several at a time, with a line for each that
-        costs something. Names that are no figure's are left to who asks for
-        them."""
+        """Makes these figures, several at a time, and prints a line for each that
+        takes time. Ignores unknown names: `entry` reports them."""
         entries = [self.entries[name] for name in sorted(names) if name in self.entries]
         renders = [render for entry in entries for render in self.renders(entry)]
         wrong = [(render.stage, render.mistake) for render in renders if render.mistake]
@@ -158,7 +157,7 @@ class Figures:
         return made
 
     def facts(self, entry):
-        """What all panels share, and their commands."""
+        """The facts that all panels share, and their commands."""
         renders = self.renders(entry)
         if not renders:
             return "", []

@@ -37,8 +37,8 @@ def formulas_of_header(header):
 
 
 def check_formulas(found):
-    """Asks MathJax, which takes longer to start than the rest of a check: so
-    what it has understood once is not asked again."""
+    """Calls MathJax, which takes longer to start than the rest of a check: so this
+    remembers the formulas that it has accepted."""
     script = Path(__file__).with_name("check_formulas.cjs")
     modules = BUILD / "node/node_modules"
     asked = hashlib.sha256(script.read_bytes() + (modules / "mathjax-full/package.json").read_bytes())

@@ -13,8 +13,8 @@ CLOSING = re.compile(r"^(#pragma once|\}  // namespace [\w:]+|)$")
 
 @dataclass
 class Piece:
-    """A run of lines of one kind, and their numbers in the header. Marks of
-    exercises are left out; `exercises` are those whose body is in here."""
+    """Consecutive lines of one kind, and their numbers in the header. Marks of
+    exercises are left out; `exercises` are those whose body is in the piece."""
 
     kind: str  # "prose" or "code"
     region: str | None = None
@@ -36,7 +36,7 @@ class Piece:
 
 
 def pieces(path):
-    """The header's prose and code in order, each region a piece by itself."""
+    """The header's prose and code in order; each region is a piece by itself."""
     found, region = [], None
     marked = exercises(path)
     unseen = hidden(marked)
@@ -73,7 +73,7 @@ def with_exercises(found, marked):
 
 
 def trimmed(piece):
-    """Without empty lines at the ends, nor lines that only open or close."""
+    """Without empty lines at the ends, and without lines that only open or close."""
     for end in (-1, 0):
         while piece.lines and CLOSING.match(piece.lines[end]):
             piece.lines.pop(end)
@@ -104,7 +104,7 @@ def regions(path):
 
 
 def region(reference):
-    """The code that `path/to/header.hpp#name` stands for."""
+    """The code of the reference `path/to/header.hpp#name`."""
     path, _, name = reference.partition("#")
     header = ROOT / path
     if not header.is_file():

@@ -2,10 +2,10 @@
 
     python3 -m tools.weave.mistaken 2/rectangle-without-area SCENE OPTIONS
 
-The mistakes are those of tests/mistakes/stageN.toml. A program is built once
-for its header and for what else it is made of, and kept in build/figures.
-Mistakes of one stage are compiled together, each in a namespace of its own:
-what they share costs the most, and is compiled once.
+The mistakes are those of tests/mistakes/stageN.toml. A program is kept in
+build/figures, and built again only if its header or the rest of the stage
+changes. Mistakes of one stage are compiled together, each in its own namespace:
+the code that they share takes the most time, and is compiled once.
 """
 
 import concurrent.futures
@@ -24,7 +24,7 @@ from types import SimpleNamespace
 from tests.mistakes.mistakes import CATALOGUE, changed_header, link_command, read_mistakes, run
 from tools.tree import BUILD, ROOT, Failure, stage_headers
 
-# More in one program take longer than as many programs at the same time.
+# More mistakes in one program take longer than several programs in parallel.
 MOST_TOGETHER = 6
 
 
@@ -47,7 +47,7 @@ def header_with(stage, name):
 
 
 def in_namespace(stage, name, space):
-    """The text of the header with the mistake, in a namespace of its own."""
+    """The text of the header with the mistake, in its own namespace."""
     text = header_with(stage, name)[1]
     old = f"namespace lightwalk::stage{stage} {{"
     if old not in text:
@@ -74,18 +74,18 @@ def compile_words(stage):
 
 @functools.cache
 def digest(stage, name):
-    """Of all that the program with the mistake is made from."""
+    """A hash of everything that the program with the mistake is made from."""
     text = header_with(stage, name)[1]
     whole = BUILD / f"stage{stage}"
     if not whole.is_file():
         raise Failure(f"{whole} has not been built")
-    # Words in comments change no picture.
+    # Comments change no picture.
     code = "\n".join(line for line in text.splitlines() if not line.lstrip().startswith("//"))
     return hashlib.sha256(code.encode() + whole.read_bytes()).hexdigest()[:20]
 
 
 def place(stage, name):
-    """Where the program is, or will be."""
+    """The path of the program, built or not."""
     return BUILD / "figures/mistakes" / digest(stage, name) / name
 
 
@@ -96,7 +96,7 @@ def program(stage, name):
 
 
 def build_programs(wanted, say=lambda line: None):
-    """Builds those that are not there, of (stage, name)."""
+    """Builds the missing ones of these (stage, name)."""
     missing = [one for one in dict.fromkeys(wanted) if not place(*one).exists()]
     groups = []
     for stage in sorted({stage for stage, _ in missing}):
@@ -110,7 +110,7 @@ def build_programs(wanted, say=lambda line: None):
 
 def whole_source(stage, names, folder):
     """The stage's main.cpp once for each mistake, whose header is written into
-    the folder. The name of the program says which of them runs."""
+    the folder. The program's name selects the one that runs."""
     header = known_mistakes(stage)[0]
     own = f'#include "{header.relative_to(ROOT).as_posix()}"'
     text = (header.parent / "main.cpp").read_text()
@@ -159,14 +159,14 @@ def build_together(stage, names):
         run([*words, str(target)], f"{what} does not link", BUILD)
         for name in names:
             place(stage, name).parent.mkdir(exist_ok=True)
-            # A rename is whole or not at all, whoever builds the same.
+            # A rename is atomic, even if another process builds the same.
             os.link(linked, folder / name)
             (folder / name).replace(place(stage, name))
     return f"stage {stage} compiled with {', '.join(names)}"
 
 
 def launcher():
-    """What the build puts before its compiler, such as ccache."""
+    """The launcher that the build puts before its compiler, such as ccache."""
     for line in (BUILD / "CMakeCache.txt").read_text().splitlines():
         if line.startswith("CMAKE_CXX_COMPILER_LAUNCHER:"):
             return line.split("=", 1)[1].split(";") if line.split("=", 1)[1] else []

@@ -1,4 +1,4 @@
-"""Checks that what prose sets in backticks exists in the code."""
+"""Checks that the names in backticks in prose exist in the code."""
 
 import functools
 import re

@@ -1,4 +1,4 @@
-"""Checks that pages ask nobody for anything.
+"""Checks that pages need no network.
 
 offline.py FOLDER   names the first file that refers to the network
 """

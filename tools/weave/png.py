@@ -1,4 +1,4 @@
-"""What a figure needs to know of PNG files."""
+"""Removes color information from PNG files."""
 
 import struct
 
@@ -7,8 +7,8 @@ CURVE = (b"gAMA", b"sRGB", b"iCCP", b"cHRM")
 
 
 def strip_curve(path):
-    """Takes away what the file says of its curve, so that a viewer takes its
-    bytes for sRGB, whatever they are."""
+    """Removes the chunks about the transfer curve, so that a viewer treats the
+    bytes as sRGB, whatever they are."""
     data = path.read_bytes()
     kept, at = data[:SIGNATURE], SIGNATURE
     while at < len(data):

@@ -1,7 +1,7 @@
 """A picture of a figure: one run of a stage.
 
-It is kept under the hash of the program, the scene and the options, so one
-that would come out the same costs nothing.
+It is cached under the hash of the program, the scene and the options, so the
+same picture is rendered only once.
 """
 
 import hashlib
@@ -31,13 +31,13 @@ ONE = {"1 samples per pixel": "1 sample per pixel", "1 bounces": "1 bounce"}
 
 
 class Spent(threading.local):
-    """What the renders of this thread have cost, in seconds of processor time."""
+    """The cost of this thread's renders, in seconds of processor time."""
 
     seconds = 0.0
 
 
 spent = Spent()
-in_work = defaultdict(threading.Lock)  # by key: no two threads make the same
+in_work = defaultdict(threading.Lock)  # by key: no two threads make the same render
 
 
 class Render:
@@ -77,7 +77,7 @@ class Render:
         return digest.hexdigest()[:20]
 
     def files(self, *suffixes):
-        """The render as files of these kinds, made if need be, and its report."""
+        """The render as files of these kinds, made if missing, and its report."""
         key = self.key()
         made = [CACHE / (key + suffix) for suffix in (*suffixes, ".json")]
         with in_work[key]:
@@ -97,7 +97,7 @@ class Render:
             if self.changes:
                 scene = folder / "scene.toml"
                 scene.write_text(self.text)
-                for image in self.images():  # a scene reads what lies beside it
+                for image in self.images():  # a scene reads images from its folder
                     (folder / image).parent.mkdir(parents=True, exist_ok=True)
                     shutil.copy((ROOT / self.scene).parent / image, folder / image)
             images = [folder / (key + suffix) for suffix in suffixes]
@@ -117,7 +117,7 @@ class Render:
         return json.loads(self.files(".pfm")[1].read_text())["rays_per_sample"]
 
     def facts(self):
-        """What a caption says of the run: {scene, samples, bounces, ...}."""
+        """The facts of the run for a caption: [stage, scene, samples, bounces, ...]."""
         facts = [f"stage {self.stage}", f"`{self.scene}`"]
         if self.changes:
             facts.append("with " + ", ".join(self.changes))

@@ -1,4 +1,4 @@
-"""Commands in prose, and what they print: run, and compared.
+"""Runs commands in the prose, and compares their output with the prose.
 
 An indented block of prose that begins with `$ build/...` is a transcript:
 
@@ -8,10 +8,10 @@ An indented block of prose that begins with `$ build/...` is a transcript:
       kt         (     0.9, ...
 
 A line `...` stands for any lines, and `...` at the end of a line for its rest.
-Spaces and empty lines do not count. A number with a point or an exponent agrees
-if what the program says is the same when rounded to the digits shown; a whole
-number has to be the same. A command goes on in a line that begins with `> `,
-as shells have it; comments of C++ must not end with a `\\`, so the book adds it.
+Spaces and empty lines do not count. A number with a decimal point or an exponent
+agrees if the program's number, rounded to the digits shown, is the same; a whole
+number has to be the same. A command continues on a line that begins with `> `,
+as in a shell; comments of C++ must not end with a `\\`, so the book adds it.
 """
 
 import difflib
@@ -32,14 +32,14 @@ INDENT = "    "
 
 @dataclass
 class Transcript:
-    """`lines` as they stand in the prose; `line` is the first one's number."""
+    """`lines` are those of the prose; `line` is the number of the first."""
 
     path: Path
     line: int
     lines: list = field(default_factory=list)
 
     def shown(self):
-        """As MyST has it."""
+        """The transcript in MyST."""
         lines = [line[len(INDENT) :] for line in self.lines]
         for place, line in enumerate(lines):
             if line.startswith("> "):
@@ -47,7 +47,7 @@ class Transcript:
         return ["```console", *lines, "```", ""]
 
     def steps(self):
-        """Each command with its number and the (number, line) that it should
+        """Each command with its line number and the (number, line) that it should
         print."""
         found = []
         for number, line in enumerate(self.lines, self.line):
@@ -79,8 +79,8 @@ def transcripts_of(piece, path):
 
 
 def output(command, where):
-    """The lines that a command of build/ prints; it is run in a folder of its
-    own that has the scenes."""
+    """The lines that a command of build/ prints; it runs in a temporary folder
+    that has the scenes."""
     words = shlex.split(command)
     name = re.fullmatch(r"build/([\w-]+)", words[0])
     if not name:
@@ -111,7 +111,7 @@ def same_number(shown, said):
 
 
 def same_line(shown, said):
-    """Whether the line that was said is the one that is shown."""
+    """Whether the program's line agrees with the one in the prose."""
     shown, said = " ".join(shown.split()), " ".join(said.split())
     words, numbers = NUMBER.split(shown), NUMBER.findall(shown)
     whole = not shown.endswith("...")
@@ -127,13 +127,13 @@ def same_line(shown, said):
 
 
 def squeezed(words):
-    """Without spaces, which only set numbers below each other."""
+    """Without spaces, which only align numbers."""
     return [re.sub(r"\s", "", word) for word in words]
 
 
 def find(part, said, first, anywhere):
-    """Where the lines of `part` stand in what was said, from `first` on; and
-    if nowhere, the line that fails where most of them agree."""
+    """The end of the lines of `part` in the output, from `first` on; or if they are
+    not there, the first wrong line at the place where most of them agree."""
     best = ((-1,),)
     for start in range(first, len(said) + 1) if anywhere else [first]:
         for place, (number, line) in enumerate(part):
