@@ -1,7 +1,7 @@
-# What the book and the tests on other machines may lack. Included by
-# cmake/Optional.cmake, which says how.
+# Optional parts of the book and of the tests on other systems. Included by
+# cmake/Optional.cmake, which explains the commands.
 
-# The box that paints itself in the book: Clang with WASI's libraries.
+# The box that renders in the book's page: Clang with WASI's libraries.
 find_command(clang_command clang++)
 if(DEFINED ENV{WASM_CXX})
   set(wasm_command $ENV{WASM_CXX})
@@ -23,7 +23,7 @@ if(NOT wasm_command OR wasm_failed)
             "Clang for WebAssembly is missing" site)
 endif()
 
-# Programs for Windows and what runs them.
+# Programs for Windows, and wine to run them.
 find_command(mingw_command x86_64-w64-mingw32-g++-posix)
 find_command(wine_command wine64 wine)
 find_program(wine_command NAMES wine64 PATHS /usr/lib/wine NO_DEFAULT_PATH)

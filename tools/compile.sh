@@ -1,6 +1,6 @@
 #!/bin/sh
-# compile.sh FOLDER OPTIONS: cmake --build, without the lines that only say
-# that there was nothing to do.
+# compile.sh FOLDER OPTIONS: cmake --build, without the lines that report that
+# there was nothing to do.
 {
   status=$({ { cmake --build "$@" 3>&- 4>&-; echo $? >&3; } |
     grep --line-buffered -v -e 'Re-checking globbed directories' \

@@ -1,14 +1,14 @@
 #!/bin/sh
-# Installs what Lightwalk uses and this machine does not have, by apt-get,
-# Homebrew or MSYS2's pacman: tools/setup/packages.txt is the list. Asks
-# nothing, and costs milliseconds where nothing is missing.
+# Installs the packages that Lightwalk needs and this machine lacks, with apt-get,
+# Homebrew or MSYS2's pacman: tools/setup/packages.txt is the list. Asks no
+# questions, and takes milliseconds if nothing is missing.
 #
 #   tools/setup.sh             what `make` and `make test` need
-#   tools/setup.sh PURPOSE...  what another target needs besides
+#   tools/setup.sh PURPOSE...  what another target needs in addition
 #   tools/setup.sh all         all of it
 #
-# SETUP=print prints what it would run, and ends with 1 if that is anything.
-# SETUP=no believes that everything is there.
+# SETUP=print prints the commands, and exits with 1 if there are any.
+# SETUP=no assumes that everything is installed.
 set -euf
 table=$(dirname "$0")/setup/packages.txt
 newline='
@@ -24,7 +24,7 @@ one_of() {
   return 1
 }
 
-# The arguments, before anything else.
+# Check the arguments first.
 purposes=
 while IFS='|' read -r purpose rest; do
   purpose=${purpose% }
@@ -61,7 +61,7 @@ has_header() {
     ${CXX:-c++} -std=c++20 -E -x c++ - > /dev/null 2>&1
 }
 
-# What no name of a package or a program tells.
+# Checks that a package's or a program's name is not enough for.
 has_browser() {
   for name in Chromium "Google Chrome"; do
     if [ -d "/Applications/$name.app" ]; then return 0; fi
@@ -81,7 +81,7 @@ has_libfuzzer() {
   return 1
 }
 
-# Some systems have a folder for it.
+# Some systems have a folder for the header.
 has_stb() {
   has_header stb_image.h || has_header stb/stb_image.h
 }
@@ -92,8 +92,8 @@ has_webassembly() {
       -o /dev/null 2> /dev/null
 }
 
-# is_there USE: whether the machine has it, wherever it comes from. A module
-# says more than a program, and a check more than both.
+# is_there USE: whether the machine has it, from any source. A module is better
+# evidence than a program, and a check is better than both.
 is_there() {
   modules=
   others=
@@ -122,7 +122,7 @@ if one_of fuzz "$wanted" && [ -n "${FUZZ_CXX:-}" ] && ! has_libfuzzer; then
   exit 1
 fi
 
-# Who installs, and the list of what is installed, one on a line.
+# The package manager, and the list of installed packages, one per line.
 manager=
 installed=
 if has_program dpkg-query && has_program apt-get; then
@@ -151,7 +151,7 @@ is_installed() {
   return 1
 }
 
-# What is missing: packages, and in words what no package here has.
+# What is missing: packages, and in words the things without a package here.
 missing=
 needed_words=
 optional_words=
@@ -196,8 +196,8 @@ run() {
   [ "$SETUP" = print ] || "$@"
 }
 
-# choose: sets `chosen` to what is missing, of alternatives the first that the
-# archive has.
+# choose: sets `chosen` to the missing packages; of alternatives it takes the
+# first that the archive has.
 choose() {
   chosen=
   for name in $missing; do
@@ -249,7 +249,7 @@ if [ -n "$missing" ]; then
     brew) run brew install $chosen || status=$? ;;
   esac
   if [ "$status" != 0 ]; then
-    say "$manager could not install (it says above why):$chosen"
+    say "$manager could not install (see its message above):$chosen"
     exit 1
   fi
 fi
@@ -260,7 +260,7 @@ if [ -n "$needed_words" ]; then
     say "neither apt-get nor Homebrew nor MSYS2 is here; please install, or ask" \
       "an administrator for: $needed_words" \
       "${optional_words:+(and, for more, $optional_words)};" \
-      "SETUP=no takes it that they are there"
+      "SETUP=no assumes that they are installed"
   fi
   exit 1
 fi

@@ -1,5 +1,5 @@
-# The book and the slides. What comes from PyPI and npm goes under $(BUILD), by
-# the lock files that tools/setup/lock.sh writes.
+# The book and the slides. Packages from PyPI and npm go under $(BUILD), in the
+# versions of the lock files that tools/setup/lock.sh writes.
 site_python := $(BUILD)/site-venv/bin/python
 
 .PHONY: site-programs book slides test-site
@@ -9,7 +9,7 @@ $(BUILD)/node/made: tools/package.json tools/package-lock.json | setup-site
 	@cd $(BUILD)/node && npm ci --silent --no-audit --no-fund --ignore-scripts
 	@touch $@
 
-# Figures show what the stages paint, and what comparing two of them says.
+# The figures need the stages' pictures, and comparisons of two stages.
 site-programs: build
 	@$(compile) stage-diff
 

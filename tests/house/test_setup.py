@@ -158,7 +158,7 @@ class Setup(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertEqual(
             said.splitlines()[-1],
-            "setup: apt-get could not install (it says above why): clang libclang-rt-dev",
+            "setup: apt-get could not install (see its message above): clang libclang-rt-dev",
         )
 
     def test_print_runs_nothing(self):

@@ -16,7 +16,7 @@
 
 namespace lightwalk {
 
-/// What is painted, and how far it is.
+/// The picture, and its progress.
 struct Box {
   Scene scene;
   RenderSettings settings;
@@ -31,8 +31,8 @@ bool ball_fresnel = false;
 std::vector<std::uint8_t> screen;
 std::vector<float> pixel_mean(3), told;
 
-/// One sample of a pixel, as common/render/render.hpp takes it; that header
-/// asks for threads.
+/// One sample of a pixel, as in common/render/render.hpp; that header needs
+/// threads.
 template <class PathTracer>
 Vec3 sample_radiance(int column, int row, std::uint32_t sample) {
   const Scene& scene = box->scene;
@@ -47,9 +47,8 @@ constexpr SampleRadiance variants[] = {LIGHTWALK_VARIANTS(sample_radiance)};
 
 enum Piece { vertex, light_reached, light_hidden, nothing_met };
 
-/// A piece of a path as 16 numbers: what it is, its bounce, the shape's type
-/// and number, from where to where, the throughput, and the light found
-/// before.
+/// A piece of a path as 16 numbers: its kind, its bounce, the shape's type and
+/// number, its start and its end, the throughput, and the light found before.
 void tell(Piece piece, const PathVertex* at, const Vec3& from,
           const Vec3& to) {
   const auto number = [](auto x) { return static_cast<float>(x); };
@@ -62,7 +61,7 @@ void tell(Piece piece, const PathVertex* at, const Vec3& from,
   }
 }
 
-/// Every ray of the path in its order: it met the next vertex, or nothing.
+/// All rays of the path in order: each hit the next vertex, or nothing.
 void tell(const PathLog& log) {
   auto next = log.vertices.begin();
   for (const Ray& ray : log.rays) {
@@ -94,7 +93,7 @@ void light_it(Scene& scene, Lighting lighting, const Material* white) {
   if (lighting == point) scene.add(PointLight{{0, 0.5f, 0}, Vec3(1)});
 }
 
-/// The box of scenes/cornell_box_*.toml; `diffuse` as stages 1 and 2 have it.
+/// The box of scenes/cornell_box_*.toml; `diffuse` for stages 1 and 2.
 void furnish(Scene& scene, Lighting lighting, bool diffuse) {
   const auto paint = [&](const Vec3& kd) {
     return scene.add(Material{.kd = kd});
@@ -125,7 +124,7 @@ void furnish(Scene& scene, Lighting lighting, bool diffuse) {
 
 using namespace lightwalk;
 
-/// The right ball, where the box is not all diffuse.
+/// The right ball, if the box is not all diffuse.
 EXPORT(set_ball)
 void set_ball(float kd, float ks, float kt, float eta, int fresnel) {
   ball_kd = Vec3(kd);
@@ -135,7 +134,7 @@ void set_ball(float kd, float ks, float kt, float eta, int fresnel) {
   ball_fresnel = fresnel != 0;
 }
 
-/// Begins a picture of `size` pixels a side.
+/// Begins a picture of `size` x `size` pixels.
 EXPORT(begin)
 void begin(int size, int lighting, int diffuse, int max_bounces, int uniform,
            int seed) {
@@ -149,7 +148,7 @@ void begin(int size, int lighting, int diffuse, int max_bounces, int uniform,
   furnish(box->scene, static_cast<Lighting>(lighting), diffuse != 0);
 }
 
-/// Adds a sample to each pixel. Returns how many each has.
+/// Adds a sample to each pixel. Returns the number of samples per pixel.
 EXPORT(add_pass)
 int add_pass(int variant) {
   for (int row = 0; row < box->film.height(); ++row) {
@@ -161,7 +160,7 @@ int add_pass(int variant) {
   return static_cast<int>(++box->samples);
 }
 
-/// The picture as a screen shows it, four bytes a pixel.
+/// The picture for a screen, four bytes per pixel.
 EXPORT(show)
 const std::uint8_t* show(float exposure) {
   const Image shown = tone_map(
@@ -188,7 +187,7 @@ const float* mean_of(int column, int row) {
   return pixel_mean.data();
 }
 
-/// Follows one path again. Returns how many pieces it has.
+/// Follows one path again. Returns the number of its pieces.
 EXPORT(follow)
 int follow(int variant, int column, int row, int sample) {
   PathLog log;

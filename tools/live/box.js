@@ -10,7 +10,7 @@ const presets = {
 const lights = ["the whole ceiling", "a small glowing ball", "a point"];
 const here = document.currentScript.src;
 
-/** The button below the still pictures, which stay. */
+/** The button below the still pictures. */
 lab.offer = (figure, preset) => {
   const stage = document.createElement("div");
   stage.className = "lab-stage";
@@ -118,7 +118,7 @@ lab.startBox = (stage, preset) => {
   order("start", { bytes: Uint8Array.from(atob(wasm), (c) => c.charCodeAt(0)).buffer });
   fit();
   paint();
-  // Nobody looks at what is not on the screen.
+  // Pauses while the picture is not on the screen.
   new IntersectionObserver(([{ isIntersecting }]) => paused || order(isIntersecting ? "go" : "pause")).observe(picture);
   canvas.focus({ preventScroll: true });
 };

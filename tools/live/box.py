@@ -1,8 +1,8 @@
 """The lab's box as WebAssembly: all stages, right and with known mistakes.
 
 The mistakes are those of tests/mistakes/stageN.toml, made in the stages' own
-headers; each has a namespace of its own in one module. Clang makes it, with
-the headers and libraries that `tools/setup.sh site` installs.
+headers; each has its own namespace in one module. Clang compiles it, with the
+headers and libraries that `tools/setup.sh site` installs.
 """
 
 import base64
@@ -18,7 +18,7 @@ from tools.tree import BUILD, ROOT, Failure, left_out
 from tools.weave.mistaken import in_namespace
 
 HERE = Path(__file__).parent
-# What a mistake is called where it is chosen, by stage and by its name.
+# The label of a mistake in the list, by stage and by its name.
 MISTAKES = {
     (1, "pi-of-the-brdf-forgotten"): "without the 1/π of the BRDF",
     (1, "uniform-cosine-forgotten"): "without the cosine, by uniform sampling",
@@ -27,12 +27,12 @@ MISTAKES = {
     (4, "not-divided-by-the-probability"): "not divided by the probability",
 }
 COMPILER = [os.environ.get("WASM_CXX", "clang++"), "--target=wasm32-wasi"]
-# As the native programs are made, so that the bits are theirs.
+# The options of the native programs, so that the bits are the same.
 OPTIONS = ["-std=c++20", "-O2", "-DNDEBUG", "-ffp-contract=off", "-msimd128", "-fno-exceptions", "-fno-rtti"]
 
 
 def find_glm(folder):
-    """A folder with GLM alone: its neighbors are for another machine."""
+    """A folder with only GLM: the headers beside it are for another machine."""
     include = folder / "include"
     include.mkdir(exist_ok=True)
     for place in ("/usr/include", "/usr/local/include", "/opt/homebrew/include"):
@@ -42,8 +42,8 @@ def find_glm(folder):
 
 
 def write_variants(folder):
-    """Writes variants.inc. Returns what the page has to know of each."""
-    # Stage 6 paints what stage 5 does, by registers that a page has not.
+    """Writes variants.inc. Returns the page's facts about each variant."""
+    # Stage 6 paints the same as stage 5, with registers that a page does not have.
     chapters = headers_with_exercises()
     headers = [str(path.relative_to(ROOT)) for path in chapters]
     tracers, facts = [], []
@@ -73,8 +73,8 @@ def run(words):
 
 
 def box_script():
-    """The script with the module and its worker; None, and a line that says
-    so, where nothing compiles for WebAssembly."""
+    """The script with the module and its worker. If no compiler for WebAssembly
+    works, prints a line and returns None."""
     folder = BUILD / "live"
     folder.mkdir(exist_ok=True)
     if lacks := left_out("book"):
@@ -84,7 +84,7 @@ def box_script():
     made, module = folder / "box.o", folder / "box.wasm"
     places = [f"-I{ROOT}", f"-I{folder}", f"-isystem{find_glm(folder)}"]
     run([*COMPILER, *OPTIONS, *places, "-c", HERE / "box.cpp", "-o", made])
-    # Linked without -O: Clang would call wasm-opt where there is one.
+    # Linked without -O: Clang would call wasm-opt if it is installed.
     run([*COMPILER, "-mexec-model=reactor", "-Wl,--strip-all", made, "-o", module])
     box = {
         "wasm": base64.b64encode(module.read_bytes()).decode(),

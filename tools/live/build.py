@@ -1,9 +1,8 @@
 """The box that the book paints in the page: its scripts, styles and module.
 
-A figure whose entry in figures.toml says `live = true` has a script in
-tools/book/live/, or is one of those that box.js offers the lab's box for.
-Without JavaScript, and on paper, there is the still figure alone; so it is
-where no compiler makes WebAssembly.
+A figure with `live = true` in figures.toml has a script in tools/book/live/, or
+is one for which box.js offers the lab's box. Without JavaScript, and on paper,
+there is only the still figure; the box also needs a compiler for WebAssembly.
 
     python3 -m tools.live.build FOLDER
 """
@@ -15,13 +14,13 @@ from tools.live.box import box_script
 from tools.tree import Failure
 
 HERE = Path(__file__).parent
-# The first is what the others use.
+# The others use the first.
 SCRIPTS = ("elements.js", "controls.js", "path.js", "box.js")
 DRAGGED = HERE.parent / "book/live"
 
 
 def check_live(entries):
-    """Refuses a figure that should live, and that no script makes so."""
+    """Refuses a figure with `live = true` and without a script."""
     scripts = "".join(path.read_text() for path in [*DRAGGED.glob("*.js"), HERE / "box.js"])
     for name, entry in entries.items():
         if entry.get("live") and f'live("{name}"' not in scripts and f'"{name}": {{' not in scripts:

@@ -1,5 +1,5 @@
-// The controls of the lab's box: each writes what is chosen into `chosen`, and
-// says that it has changed.
+// The controls of the lab's box: each writes its value into `chosen`, and reports
+// the change.
 lab.boxControls = (parent, chosen, changed) => {
   const controls = {};
   const row = (label) => {
@@ -7,7 +7,7 @@ lab.boxControls = (parent, chosen, changed) => {
     lab.html(made, "span", {}, label);
     return made;
   };
-  /** One of several [value, words]. */
+  /** A list of [value, words] to choose from. */
   controls.choice = (name, label, options) => {
     const made = row(label);
     const select = lab.html(made, "select");
@@ -25,7 +25,7 @@ lab.boxControls = (parent, chosen, changed) => {
     });
     return made;
   };
-  /** A number on a slider; `words` says it. */
+  /** A number on a slider; `words` turns it into text. */
   controls.range = (name, label, [min, max, step], words = (x) => x.toFixed(2)) => {
     const made = row(label);
     const slider = lab.html(made, "input", { type: "range", min, max, step });
@@ -66,8 +66,9 @@ lab.boxControls = (parent, chosen, changed) => {
   return controls;
 };
 
-/** A ball that gives back at most what it gets: what `name` got, the others
- * lose. By Fresnel's equations ks and kt have `shared` one light. */
+/** Keeps the ball from reflecting more light than it receives: if `name` grows,
+ * the others shrink. With Fresnel's equations (`shared`) the larger of ks and kt
+ * counts. */
 lab.keepEnergy = (ball, name, shared) => {
   const before = { ...ball };
   const mirrored = shared ? Math.max(ball.ks, ball.kt) : ball.ks + ball.kt;
@@ -83,7 +84,7 @@ lab.keepEnergy = (ball, name, shared) => {
     for (const k of others) ball[k] *= room / sum;
   }
   const less = ["kd", "ks", "kt"].filter((k) => ball[k] < before[k]);
-  // Downwards: rounding must not make light.
+  // Rounds down, so that rounding does not add light.
   for (const k of less) ball[k] = Math.floor(ball[k] * 100 + 1e-6) / 100;
   return `A surface cannot give back more light than it gets, so ${less.join(" and ")} went down.`;
 };

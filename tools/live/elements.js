@@ -1,4 +1,4 @@
-// What the box in the page is made of: elements of HTML and of drawings.
+// Makes the elements of the box in the page, HTML and SVG.
 "use strict";
 const lab = {};
 const clamp = (x, low, high) => Math.min(Math.max(x, low), high);

@@ -1,4 +1,4 @@
-// One path of a pixel: drawn in the box, and told as `--pixel` tells it.
+// One path of a pixel: drawn in the box, and described as by `--pixel`.
 const planes = ["left wall", "right wall", "floor", "back wall", "ceiling"];
 const spheres = ["left ball", "right ball", "glowing ball"];
 const isTiny = (x) => Math.abs(x) < 0.0005;
@@ -35,7 +35,7 @@ lab.pathInspector = (stage, canvas, size, chosen, order) => {
     return { kind, bounce, where: (type ? spheres : planes)[index], from: at(4), to: at(7), throughput: at(10), sum: at(13) };
   });
 
-  /** How a path ends; those of stage 3 end in many places. */
+  /** How a path ends; a tree of stage 3 ends in many places. */
   const end = (all) => {
     const last = all.at(-1);
     if (!last || chosen.stage === 3) return "";
@@ -72,8 +72,8 @@ lab.pathInspector = (stage, canvas, size, chosen, order) => {
   return { show, again: () => asked && ask(asked.column, asked.row, asked.sample) };
 };
 
-/** The room with the path, in parallel perspective from the upper left. Its walls
- * have no end in front; it is drawn as far as the camera. */
+/** The room with the path, in parallel projection from the upper left. Its walls
+ * are infinite in front; they are drawn as far as the camera. */
 lab.drawPath = (parent, pieces, light) => {
   const svg = lab.add(parent, "svg", { viewBox: "0 0 300 210", role: "img", "aria-label": "The path in the box" });
   const yaw = (55 * Math.PI) / 180, pitch = (20 * Math.PI) / 180, scale = 56;

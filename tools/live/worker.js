@@ -1,8 +1,8 @@
-// Paints the lab's box, a sample of each pixel at a time, beside the page.
-// Gets the module once, then orders; sends pictures, and paths that were asked.
+// Renders the lab's box in a worker, one sample of each pixel at a time. Receives
+// the module once, then orders; sends pictures, and the requested paths.
 "use strict";
 let box, job, samples, running, queued, shownAt;
-const turn = new MessageChannel(); // quicker than setTimeout, and lets messages in
+const turn = new MessageChannel(); // faster than setTimeout, and messages still arrive
 const next = () => {
   if (!queued) turn.port2.postMessage(0);
   queued = true;

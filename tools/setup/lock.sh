@@ -1,7 +1,7 @@
 #!/bin/sh
-# Writes what is installed from PyPI and npm, with versions and hashes of all
-# that it brings along: after a change in tools/setup/*.in or tools/package.json.
-# UPGRADE=1 takes newer versions where those leave it open.
+# Writes the lock files for PyPI and npm, with versions and hashes of all packages:
+# run it after a change in tools/setup/*.in or tools/package.json. UPGRADE=1 takes
+# newer versions if these files allow it.
 set -eu
 cd "$(dirname "$0")"
 folder=$(mktemp -d)

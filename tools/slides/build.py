@@ -1,4 +1,4 @@
-"""Builds the slides: fills in code and figures, and has Marp set them.
+"""Builds the slides: fills in code and figures, and renders them with Marp.
 
     python3 -m tools.slides.build   the decks and an index.html
     ... --check                     fills in and checks the source, and stops
@@ -37,8 +37,8 @@ footer: Lightwalk / {title}
 
 def figure(line, figures):
     """HTML for a line `{figure} name panels=1,2 height=300 labels=step`: the
-    panels' labels are there at once, come with a step of their own, or not at
-    all (labels=none). The panels of `later=2` come with a step each."""
+    panels' labels appear at once, with their own step, or not at all
+    (labels=none). Each panel of `later=2` appears with its own step."""
     name, *words = line.split()
     options = dict(word.split("=") for word in words)
     entry = figures.entry(name)
@@ -65,7 +65,7 @@ def figure(line, figures):
 
 
 def panel_label(label, labels, first):
-    """Below a panel. Those that come with a step all come with the first."""
+    """The label below a panel. Labels with a step all appear with the first."""
     if not label or labels == "none":
         return ""
     if labels == "shown":
@@ -74,7 +74,7 @@ def panel_label(label, labels, first):
 
 
 def woven(deck, figures, course):
-    """The deck as Marp takes it."""
+    """The deck as Marp's input."""
     slides = []
     for slide in deck.slides:
         check_text(slide.shown, slide.where)
@@ -98,7 +98,7 @@ def marp(source, *options):
     environment = dict(os.environ, CHROME_NO_SANDBOX="1")
     names = ("chromium", "google-chrome", "chromium-browser")
     chromium = next(filter(None, map(shutil.which, names)), None)
-    if chromium:  # elsewhere Marp knows where to look
+    if chromium:  # on other systems Marp finds it
         environment.setdefault("CHROME_PATH", chromium)
     run = subprocess.run(
         ["node", BUILD / "node/node_modules/@marp-team/marp-cli/marp-cli.js",
@@ -118,7 +118,7 @@ def main():
     source, made = BUILD / "slides-source", BUILD / "slides"
     shutil.rmtree(source, ignore_errors=True)
     figures = Figures(source / "figures")
-    printed = BUILD / "slides-printed"  # what stands on paper leads nowhere
+    printed = BUILD / "slides-printed"  # no links on paper
     shutil.rmtree(printed, ignore_errors=True)
     every, course = decks(), course_table()
     figures.make(placed_names(SLIDES))
@@ -146,7 +146,7 @@ def main():
     (made / "index.html").write_text(index_page(every))
     check_offline(made)
     for line in unfilled():
-        print(f"slides: slides/course.toml does not say it yet: {line}")
+        print(f"slides: slides/course.toml has no value yet for: {line}")
     print(f"The slides are {made}/index.html")
 
 

@@ -1,4 +1,4 @@
-"""Reads slides/course.toml: what the slide "Before we begin" says."""
+"""Reads slides/course.toml: the facts on the slide "Before we begin"."""
 
 import tomllib
 

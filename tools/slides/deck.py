@@ -1,4 +1,4 @@
-"""Reads a deck: its title, its slides, and what each shows and says."""
+"""Reads a deck: its title, and its slides with their text and notes."""
 
 import re
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ class Slide:
 
     @property
     def notes(self):
-        """What the lecturer reads: the comments that are no directives."""
+        """The lecturer's notes: the comments that are not directives."""
         return "\n".join(text for text in COMMENT.findall(self.text) if not text.startswith("_"))
 
     @property

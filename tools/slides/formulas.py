@@ -1,4 +1,4 @@
-"""Says in words what the formulas of a deck are: Marp sets them as pictures."""
+"""Adds text alternatives to a deck's formulas, which Marp renders as pictures."""
 
 import re
 from html import escape
@@ -11,7 +11,7 @@ SET = re.compile(r'(<mjx-container class="MathJax"[^>]*><svg )')
 
 
 def name_formulas(page, deck):
-    """Gives each formula of the built page its words, in the deck's order."""
+    """Gives each formula of the built page its text, in the deck's order."""
     words = [formula(one["tex"]) for slide in deck.slides for one in formulas(slide.shown, slide.where)]
     text = page.read_text()
     places = len(SET.findall(text))

@@ -47,7 +47,7 @@ def plan_section(plan, sessions):
 
 
 def title(tex):
-    """A heading without mathematics of TeX."""
+    """A heading without TeX."""
     letters = {r"\Omega": "Ω", r"\omega_o": "ω<sub>o</sub>"}
     text = escape(tex).replace("$", "")
     for old, new in letters.items():

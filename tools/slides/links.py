@@ -1,5 +1,5 @@
-"""The line in a slide's corner: where the book tells the same, with the task
-and the tests that belong to it. The book is built beside the slides."""
+"""The links in a slide's corner: to the same topic in the book, its exercise and
+its tests. The book is built beside the slides."""
 
 import re
 
@@ -14,7 +14,7 @@ TO_THE_BOOK = re.compile(rf'<a [^>]*href="{re.escape(BOOK)}/[^"]*"[^>]*>(.*?)</a
 
 
 def references(slide):
-    """The regions `path#name` that the slide shows, or what it says itself,
+    """The regions `path#name` that the slide shows, or those that it names in
     `<!-- _book: path or path#name, none, or several -->`."""
     own = OWN.search(slide.text)
     if own:
@@ -28,8 +28,8 @@ def page_address(path):
 
 
 def anchor(reference):
-    """What follows the page's address, as docutils writes it: ids begin with
-    a letter. A region within a struct has no id of its own."""
+    """The anchor on the page, as docutils writes it: ids begin with a letter. A
+    region within a struct has no id."""
     path, _, name = reference.partition("#")
     if all(piece.region != name for piece in pieces(ROOT / path)):
         return ""
@@ -51,7 +51,7 @@ def name_of(reference):
 
 
 def corner(slide):
-    """HTML for the line, or nothing."""
+    """HTML for the links, or an empty string."""
     known = references(slide)
     try:
         links = [f'<a href="{address(one)}">book: {name_of(one)}</a>' for one in known]
@@ -66,7 +66,7 @@ def corner(slide):
 
 
 def without_links(text):
-    """For paper: links to the book are words, since a PDF would have the
+    """For paper: links to the book become words, since a PDF would have the
     absolute addresses of the machine that made it."""
     text = re.sub(r'<p class="links">.*?</p>', "", text)
     return TO_THE_BOOK.sub(r"\1", text)

@@ -20,9 +20,9 @@ def indent(line):
 
 
 def excerpt(lines, steps, reference):
-    """The numbers of the lines that belong to the steps: each begins with a
-    line that starts so, comment or code, and ends at the next empty line or
-    where a block closes."""
+    """The numbers of the lines that belong to the steps. A step begins at the line,
+    comment or code, that starts with its words, and ends at the next empty line or
+    at the end of its block."""
     chosen = []
     for step in steps:
         first = next((n for n, line in enumerate(lines) if line.strip().lstrip("/ ").startswith(step)), None)
@@ -38,7 +38,7 @@ def excerpt(lines, steps, reference):
 
 
 def listing(reference, steps="", width=1112, height=485):
-    """HTML for the region, with what is new since the stage before marked."""
+    """HTML for the region; marks the lines that are new since the previous stage."""
     piece = region(reference)
     code = piece.lines
     path, name = reference.split("#")
@@ -66,7 +66,7 @@ def listing(reference, steps="", width=1112, height=485):
     html = html.rstrip("\n").split("\n")
     exercises = [None if n is None else piece.exercise_at(piece.numbers[n]) for n in chosen]
     for place in range(len(html)):
-        # Blocks, which end their lines themselves.
+        # These spans are block elements, which end their lines themselves.
         classes = ["hll"] * (place + 1 in marked) + ["exercise"] * bool(exercises[place])
         end = "\n" if classes or place + 1 < len(html) else ""
         html[place] += end
@@ -80,7 +80,7 @@ def listing(reference, steps="", width=1112, height=485):
 
 
 def exercise_link(path, number):
-    """A badge that leads to the task in the book, which is built beside the
+    """A badge that links to the task in the book, which is built beside the
     slides."""
     page = f"../book/{path.rsplit('/', 1)[0]}.html#exercise-{number.replace('.', '-')}"
     return f' <a class="exercise" href="{page}">exercise {number}</a>'

@@ -1,5 +1,5 @@
-"""Reads slides/plans.toml: which slides a course of 1, 2 or 5 sessions shows,
-and how long that takes by the notes."""
+"""Reads slides/plans.toml: the slides of a course of 1, 2 or 5 sessions, and their
+time by the notes."""
 
 import tomllib
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ FILE = "slides/plans.toml"
 
 @dataclass
 class Part:
-    """What a session shows of a deck."""
+    """The part of a deck that a session shows."""
 
     deck: object
     skipped: list
