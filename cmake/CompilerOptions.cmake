@@ -1,6 +1,6 @@
 # Options of every translation unit. `-ffp-contract=off` and no fast-math: the
-# same source gives the same picture, whoever compiles it. Nothing here asks
-# about errno or the flags of floating-point exceptions, so comparisons may be
+# same source gives the same picture with every compiler. The code reads neither
+# errno nor the flags of floating-point exceptions, so comparisons may be
 # compiled without a branch; the numbers are the same.
 if(MSVC)
   target_compile_options(lightwalk INTERFACE /W4 /permissive- /utf-8 /fp:precise)
@@ -9,10 +9,10 @@ else()
     lightwalk INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                         -ffp-contract=off -fno-math-errno -fno-trapping-math)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # A note on how eight lanes are passed: they never leave a program.
+    # No notes on the ABI of eight lanes: they never leave a program.
     target_compile_options(lightwalk INTERFACE -Wno-psabi)
-    # Rows of eight are written as such. What else GCC finds to put side by
-    # side are the components of vectors, and then it shuffles them to and fro.
+    # Rows of eight are explicit in the code. Beyond them GCC would vectorize
+    # the components of vectors, and shuffle them back and forth.
     target_compile_options(lightwalk INTERFACE -fno-tree-slp-vectorize)
   endif()
   if(LIGHTWALK_WARNINGS_AS_ERRORS)
@@ -25,8 +25,8 @@ if(LIGHTWALK_SANITIZE)
                       -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${LIGHTWALK_SANITIZE})
   if(NOT APPLE)
-    # The sanitizer opens libraries in the program's stead, and only an RPATH
-    # of the old kind is looked at then.
+    # The sanitizer opens libraries for the program, and then the loader reads
+    # only an RPATH of the old kind.
     add_link_options(-Wl,--disable-new-dtags)
   endif()
 endif()

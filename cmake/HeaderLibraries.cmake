@@ -1,5 +1,5 @@
-# The libraries that are headers: as CMake packages, or, where a toolchain file
-# names one folder of headers, from there. A student's tree brings such a folder.
+# The header-only libraries: as CMake packages, or, if a toolchain file names a
+# folder of headers, from there. A student's tree brings such a folder.
 if(NOT LIGHTWALK_HEADER_FOLDER
    AND IS_DIRECTORY ${CMAKE_SOURCE_DIR}/third_party/include)
   set(LIGHTWALK_HEADER_FOLDER ${CMAKE_SOURCE_DIR}/third_party/include)

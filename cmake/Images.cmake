@@ -1,7 +1,7 @@
-# What reads and writes images. PNG and JPEG are by stb, headers that one file of
-# ours compiles. EXR and other formats are by OpenImageIO, where it is
-# installed: a module, loaded by the first file that needs it, for linking
-# OpenImageIO would cost every program a second at its start.
+# Libraries for images. PNG and JPEG need stb, headers that one of our files
+# compiles. EXR and other formats need OpenImageIO, if it is installed: as a
+# module that the first such image loads, since linking OpenImageIO would cost
+# every program a second at its start.
 find_path(STB_FOLDER stb_image_write.h PATH_SUFFIXES stb
           HINTS ${LIGHTWALK_HEADER_FOLDER})
 if(NOT STB_FOLDER)

@@ -1,13 +1,13 @@
-# What may be missing is looked for here, and nowhere else. What was found is
-# handed on as a definition or a variable; __has_include would leave no trace
-# in the build, and a library that is installed later would not be noticed.
+# Only this file looks for what may be missing. It passes on what it finds as a
+# definition or a variable: __has_include would leave no trace in the build,
+# which would not notice a library that is installed later.
 #
 # build/left_out.txt lists what is left out of this build, a line each:
 #
 #   WHERE: WHAT (REASON; COMMAND that gets it)
 #
-# WHERE is programs, tests, book or test-windows. Nothing is listed that was
-# switched off: -DLIGHTWALK_HIGHWAY=OFF is a wish.
+# WHERE is programs, tests, book or test-windows. What the user switches off, as
+# with -DLIGHTWALK_HIGHWAY=OFF, is not listed.
 option(LIGHTWALK_HIGHWAY "Follow many paths at once where Highway is installed" ON)
 option(LIGHTWALK_OPENIMAGEIO "Use OpenImageIO where it is installed" ON)
 
@@ -31,7 +31,7 @@ macro(leave_out where what reason)
 endmacro()
 
 # find_headers(VARIABLE NAME [SUFFIX]): the folder that has the header NAME.
-# It is looked for again in each run of CMake, and each build watches for it.
+# Each run of CMake looks for it again, and each build watches for it.
 macro(find_headers variable name)
   watch_header(${name} ${ARGN})
   if(${variable} AND NOT EXISTS "${${variable}}/${name}")

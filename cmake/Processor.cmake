@@ -29,7 +29,7 @@ set(processor_check)
 if(LIGHTWALK_NATIVE AND instruction_sets)
   list(GET instruction_sets -1 instruction_set)
   target_compile_options(lightwalk INTERFACE ${${instruction_set}_options})
-  # GCC takes minutes to follow the scopes of rows.
+  # GCC takes minutes to check the scopes of rows.
   if(LIGHTWALK_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(lightwalk
                            INTERFACE -fno-sanitize-address-use-after-scope)

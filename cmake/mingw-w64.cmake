@@ -4,7 +4,7 @@
 #   cmake -S . -B build-windows -DCMAKE_TOOLCHAIN_FILE=cmake/mingw-w64.cmake
 #
 # The libraries are headers, the same as for Linux. A folder of links to just
-# these keeps all others of /usr/include away.
+# these keeps out all other headers of /usr/include.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)

@@ -1,7 +1,7 @@
 // A program compiled for one machine may be started on an older one that
-// shares its folder. It would end by an illegal instruction, somewhere. This
-// runs before all other code of the program and says why instead. It is
-// compiled for any x86-64, and calls nothing that is not.
+// shares its folder. It would crash somewhere with an illegal instruction.
+// This check runs before all other code of the program and says why instead.
+// It is compiled for any x86-64, and calls nothing that is not.
 
 #include <errno.h>
 #include <string.h>
@@ -13,7 +13,7 @@ namespace {
 constexpr char set[] = "AVX-512";
 #elif defined(NEEDS_avx2)
 constexpr char set[] = "AVX2";
-#else  // an extension that was given up, for the test of this file
+#else  // a discontinued extension, for the test of this file
 constexpr char set[] = "XOP";
 #endif
 

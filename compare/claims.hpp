@@ -2,23 +2,23 @@
 
 // # Whose noise is believed?
 //
-// Two pictures are the same if their noise explains what they differ by, and
-// how noisy a picture is, its file says. A file that says too much would be
-// the same as anything: black, with a variance of a million.
+// Two pictures are the same if their noise explains the difference, and each
+// file says how noisy its picture is. A file that claims too much noise would
+// be the same as anything: a black one with a variance of a million.
 //
-// But noise shows. Where the two pictures are right, pixel by pixel,
+// But noise shows. If both pictures are right, pixel by pixel,
 //
 // $$\sum (a - b)^2 \approx
 // \sum \left(\frac{v_a}{n_a} + \frac{v_b}{n_b}\right)$$
 //
-// and where one of them is wrong, the left side is larger. It is never much
-// smaller, unless a variance is claimed that the pixels do not have. So the
-// one that claims more than the other must show it, in the image and in every
-// large tile. What is claimed beyond four times of what is shown is refused;
-// less than that costs a comparison at most half of its z.
+// and if one of them is wrong, the left side is larger. It is never much
+// smaller, unless a file claims a variance that its pixels do not have. So
+// the picture that claims more than the other must show it, in the image and
+// in every large tile. A claim of more than four times what is shown is
+// refused; a smaller claim costs a comparison at most half of its z.
 //
-// The sum says nothing where a few pixels have all of it: one bright path
-// that came once, as it should, is a large variance and no difference. So only
+// The sum says nothing if a few pixels have all of it: one bright path that
+// came once, as it should, is a large variance and no difference. So only
 // regions in which many pixels share the variance are judged.
 
 #include <algorithm>
@@ -33,7 +33,7 @@ namespace lightwalk {
 struct FalseClaim {
   bool by_test = true;  ///< or by the reference
   Region region{};
-  double times = 0;  ///< the noise of the other, as a variance of the mean
+  double times = 0;  ///< as much noise as the other, in variance of the mean
   double shown = 0;  ///< the share of the claim that is seen
 };
 
@@ -66,13 +66,13 @@ inline Claims claims_of(const RenderResult& test,
     }
   }
   const double sum = claims.test + claims.reference;
-  // The channels of a pixel are noisy together.
+  // The channels of a pixel are correlated: the three count as one.
   claims.sharing = squares > 0 ? sum * sum / squares / 3 : 0;
   return claims;
 }
 
 /// The first claim that cannot be believed, if there is one. Both pictures
-/// have variances and counts of samples.
+/// must have variances and counts of samples.
 inline std::optional<FalseClaim> false_claim(const RenderResult& test,
                                              const RenderResult& reference,
                                              int scale) {

@@ -1,11 +1,11 @@
 #!/bin/sh
 # Renders and compares: A and B in the environment are stages (stage3), images
 # (.pfm, .exr, .ppm), or any program with the stages' command line. SCENE is
-# what they render, and OPTIONS what they are told beyond that ("--spp 64").
+# what they render, and OPTIONS are further options ("--spp 64").
 # Exit codes: 0 the same, 1 different, 2 cannot compare.
 #
-# Each run has a folder of its own, so that no picture of an earlier run, or of
-# one at the same time, can be taken for this one's.
+# Each run has its own folder, so that no picture of an earlier or parallel run
+# can be taken for this one's.
 set -euf
 build=${BUILD:-build}
 
@@ -21,7 +21,7 @@ folder=$(mktemp -d "$build/diff/run.XXXXXX")
 echo $$ > "$folder/running"
 trap 'rm -f "$folder/running"' EXIT
 
-# Of the runs before, the last twenty stay, and those that still run.
+# The last twenty of the earlier runs stay, and those that still run.
 ls -t "$build/diff" | grep '^run\.' | tail -n +21 | while read -r old; do
   old=$build/diff/$old
   [ -f "$old/running" ] && kill -0 "$(cat "$old/running")" 2> /dev/null ||
@@ -44,7 +44,7 @@ image_of() {
     cannot "$1: '$2' is no stage, no image and no program"
   [ -n "${SCENE:-}" ] || cannot "SCENE=... is missing"
   image=$folder/$1.pfm
-  # OPTIONS are words, and no patterns of file names: -f is set.
+  # OPTIONS are words, not patterns of file names: -f is set.
   # shellcheck disable=SC2086
   "$program" "$SCENE" -o "$image" --seed "$3" --size 128x128 ${OPTIONS:-} \
     >&2 < /dev/null || cannot "$1: '$2' ended with exit code $?"

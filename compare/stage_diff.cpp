@@ -80,8 +80,8 @@ std::string no_variance(const std::string& a_path, const RenderResult& a,
          "more, or nobody can say what is noise";
 }
 
-/// An image without variance is taken to be as noisy as the other: a sample
-/// of it if its samples are counted, and else the picture.
+/// An image without variance is taken to be as noisy as the other: per sample
+/// if its samples are counted, and otherwise as a picture.
 void borrow_variance(const std::string& path, RenderResult& poor,
                      const RenderResult& rich) {
   if (has_variance(poor)) return;
@@ -117,14 +117,14 @@ bool is_quiet(const RenderResult& result) {
                      [](const Vec3& pixel) { return pixel == Vec3(0); });
 }
 
-/// A number for people. What no number can say, a quotient by zero, is "-".
+/// A number for people; "-" if it is not finite, as a quotient by zero.
 std::string figure(const char* format, double x) {
   char text[400];
   std::snprintf(text, sizeof text, format, x);
   return std::isfinite(x) ? text : "-";
 }
 
-/// B is the reference: what A claims to be its noise must show.
+/// Refuses a picture that claims more noise than the pixels show.
 void check_claims(const RenderResult& a, const RenderResult& b) {
   const auto claim = false_claim(a, b, tile_scale(a, b));
   if (!claim) return;
@@ -148,7 +148,7 @@ bool same_bits(const RenderResult& a, const RenderResult& b) {
   return a.radiance.pixels == b.radiance.pixels && !is_quiet(b);
 }
 
-/// What is to be said about how noisy A is, for each sample of it.
+/// A remark on how noisy one sample of A is, if it is remarkable.
 std::string noise_of(const RenderResult& a, const RenderResult& b) {
   if (is_quiet(a)) {
     return is_quiet(b) ? ""
@@ -162,7 +162,7 @@ std::string noise_of(const RenderResult& a, const RenderResult& b) {
          (ratio > 1 ? "noisier" : "quieter");
 }
 
-/// Errors over all pixels, for people who think in them.
+/// Errors over all pixels, for people who are used to them.
 struct Totals {
   double ratio[3];      ///< mean of A over mean of B
   double rmse;          ///< root of the mean squared difference

@@ -2,9 +2,9 @@
 
 // # What differs, in words and in a picture
 //
-// A failed comparison is of use when it says where and by how much. The
-// differing tiles are gathered by what is seen in them, and the sentence
-// names what has most of the difference.
+// A failed comparison is useful if it says where and by how much. The
+// differing tiles are grouped by what is seen in them, and the sentence names
+// the thing that has most of the difference.
 
 #include <cstdio>
 #include <functional>
@@ -16,8 +16,8 @@
 
 namespace lightwalk {
 
-/// What is to be seen in a region, such as "the sphere of 'glass'"; empty
-/// where that is not known.
+/// What is seen in a region, such as "the sphere of 'glass'"; empty if that
+/// is not known.
 using NameRegion = std::function<std::string(const Region&)>;
 
 /// "columns 8 to 15, rows 0 to 7 (upper left)".
@@ -51,8 +51,8 @@ inline std::string amount_of(double test, double reference) {
   return text;
 }
 
-/// The region with the largest z, but for one that is left out; null where
-/// there is no other.
+/// The region with the largest z, except one that is left out; null if there
+/// is no other.
 inline const RegionDifference* worst_of(
     const std::vector<RegionDifference>& differing,
     const Region& left_out = {}) {
@@ -64,7 +64,7 @@ inline const RegionDifference* worst_of(
   return worst;
 }
 
-/// Which named thing has how much of the tiles' differences: the largest.
+/// The named thing with the largest share of the tiles' differences.
 struct Culprit {
   std::string name;
   double share = 0;  ///< 0 to 1
