@@ -1,7 +1,7 @@
 #pragma once
 
 // What the command lines of all programs have in common, with CLI11: --help,
-// and what they say of wrong usage.
+// and the messages about wrong usage.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace lightwalk {
 
-/// Says on stderr what is wrong with the command line; returns exit code 2.
+/// Prints to stderr what is wrong with the command line; returns exit code 2.
 inline int wrong_usage(const std::string& program, const std::string& what) {
   std::fprintf(stderr, "%s: %s (%s --help lists the options)\n",
                program.c_str(), one_line(what).c_str(), program.c_str());
@@ -115,7 +115,7 @@ inline void add_help_and_version(CLI::App& app, const std::string& version) {
   app.set_help_flag("-h,--help", "Print this help");
 }
 
-/// A check that `what`, such as "images", have names with one of the endings.
+/// Checks that `what`, such as "images", have names with one of the endings.
 template <class Endings>
 auto named_with(const std::string& what, const Endings& endings) {
   return [=](const std::string& path) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Whether a picture fits into the machine's memory. Where that much can be
-// promised and not kept, the program would otherwise be killed hours later.
+// Whether a picture fits into the machine's memory. A system that promises
+// more memory than it has would otherwise kill the program hours later.
 
 #if __has_include(<unistd.h>)
 #include <unistd.h>
@@ -17,7 +17,7 @@
 
 namespace lightwalk {
 
-/// The memory of the machine in bytes, or 0 where it is not known.
+/// The memory of the machine in bytes, or 0 if it is not known.
 inline double physical_memory() {
 #ifdef _WIN32
   MEMORYSTATUSEX status{};
@@ -33,7 +33,7 @@ inline double physical_memory() {
 #endif
 }
 
-/// Throws where the picture would not fit into the machine's memory.
+/// Throws if the picture would take more than 0.8 of the machine's memory.
 inline void check_memory(const Camera& camera) {
   const double needed =
       static_cast<double>(sizeof(Pixel) + 4 * sizeof(Vec3)) * camera.width *

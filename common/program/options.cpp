@@ -56,8 +56,8 @@ std::optional<PixelSample> pixel_of(const std::string& text) {
   return PixelSample{numbers->first, numbers->second};
 }
 
-/// An option whose text `parse` turns into its value, or into none where
-/// `complaint`, such as "is not a number", is to be said of it.
+/// An option whose text `parse` turns into its value. If it returns none, the
+/// error is the text and `complaint`, such as "is not a number".
 template <class Value, class Parse>
 CLI::Option* add_parsed(CLI::App& app, const std::string& name,
                         std::optional<Value>& value, Parse parse,
@@ -92,7 +92,7 @@ CLI::Option* add_whole(CLI::App& app, const std::string& name,
       ->type_name("N");
 }
 
-/// What a default is in --help.
+/// A default as --help shows it.
 std::string shown(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", number);
@@ -124,7 +124,7 @@ constexpr std::array<std::string_view, 2> sampling_names = {"cosine",
 constexpr std::array<std::string_view, 4> step_names = {"clamp", "equalize",
                                                         "gamma", "reinhard"};
 
-/// The value of an enumeration that has this name, in the order of the names.
+/// The value of an enumeration with this name; `names` has its order.
 template <class Value, class Names>
 std::optional<Value> named(const std::string& text, const Names& names) {
   const auto found = std::find(names.begin(), names.end(), text);
@@ -132,7 +132,7 @@ std::optional<Value> named(const std::string& text, const Names& names) {
   return static_cast<Value>(found - names.begin());
 }
 
-/// The options beside the scene that say what is rendered.
+/// The options besides the scene that say what to render.
 void add_render_options(CLI::App& app, const Program& program,
                         Options& options) {
   const RenderSettings defaults;
@@ -169,7 +169,7 @@ void add_render_options(CLI::App& app, const Program& program,
           sampling_names[static_cast<std::size_t>(defaults.sampling)]));
 }
 
-/// The options for .png, but for what only all of them together mean.
+/// The options for .png. parse_options() combines them.
 void add_tone_options(CLI::App& app, std::vector<ToneStep>& steps,
                       std::optional<float>& gamma,
                       std::optional<float>& exposure) {
@@ -219,7 +219,7 @@ std::optional<int> parse_options(int argc, char** argv,
   app.formatter(
       std::make_shared<HelpText>(example, "SCENE -o IMAGE [OPTION]..."));
   app.allow_windows_style_options(false);  // /home/ana/box.toml is a file
-  // An option that is given twice counts as it was given last.
+  // If an option is given twice, the last one counts.
   app.option_defaults()->multi_option_policy(
       CLI::MultiOptionPolicy::TakeLast);
   app.add_option("SCENE", options.scene, "Scene file (.toml)");

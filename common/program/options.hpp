@@ -18,13 +18,13 @@ struct ImageSize {
   int width, height;
 };
 
-/// What the user asked for, and nothing else. What is empty, the scene or a
-/// default decides.
+/// What the user asked for, and nothing else. The scene or a default decides
+/// what is empty here.
 struct Options {
   std::string scene;
   std::vector<std::string> outputs;
   std::optional<std::string> report;
-  std::optional<PixelSample> pixel;  ///< whose path is to be told
+  std::optional<PixelSample> pixel;  ///< whose path to tell
   std::optional<int> samples_per_pixel, max_bounces, threads;
   std::optional<std::uint64_t> seed;
   std::optional<Sampling> sampling;

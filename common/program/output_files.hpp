@@ -10,13 +10,13 @@
 
 namespace lightwalk {
 
-/// Throws where one of the files cannot be written, and says which.
+/// Throws if one of the files cannot be written, and says which.
 void check_files(const Options& options);
 
-/// Writes all files that can be written, and says on stderr what becomes of
-/// the others. An old image is not replaced by one that has no sample in some
-/// pixels. `report.outputs` is left with the images that were written.
-/// Returns whether nothing failed.
+/// Writes all files that can be written, and reports the others on stderr. An
+/// image that has no sample in some pixels does not replace an old image.
+/// Lists the written images in `report.outputs`. Returns whether nothing
+/// failed.
 bool write_files(const std::string& program, const Options& options,
                  const RenderResult& result, Report& report);
 

@@ -10,10 +10,10 @@
 
 namespace lightwalk {
 
-// A path tracer says where it is, and not what it decides. But that follows:
-// what was added at a vertex is what the sum has grown by until the next one;
-// the event is told by where the next ray goes; and its weight is what the
-// throughput was multiplied by.
+// A path tracer logs its vertices, not its decisions. They are inferred: what
+// was added at a vertex is the growth of the sum up to the next vertex, the
+// direction of the next ray tells the event, and its weight is the quotient of
+// the two throughputs.
 
 namespace {
 
@@ -50,11 +50,11 @@ std::string line(const char* label, const std::string& value,
 /// A ray that goes on from a vertex.
 struct Branch {
   Vec3 direction;
-  std::optional<std::size_t> to;  ///< none where it leaves the scene
+  std::optional<std::size_t> to;  ///< none if it leaves the scene
 };
 
-/// The vertex that a ray which meets nothing starts at: the last of the first
-/// `count` that is where the ray begins.
+/// The vertex at which a ray that meets nothing starts: the last of the first
+/// `count` vertices that is where the ray begins.
 std::size_t start_of(const Ray& ray, const std::vector<PathVertex>& vertices,
                      std::size_t count) {
   for (std::size_t i = count; i-- > 0;) {
@@ -104,7 +104,7 @@ std::string side_of_path(const PathVertex& vertex) {
   return is_outside(vertex) ? "the path is in front" : "the path is behind";
 }
 
-/// Whether no light gets out of the glass in which the path is.
+/// Whether the path is in glass, at an angle at which no light gets out.
 bool is_beyond_critical_angle(const PathVertex& vertex) {
   if (is_outside(vertex)) return false;
   const float cos_o = dot(vertex.normal, vertex.wo);
@@ -112,7 +112,7 @@ bool is_beyond_critical_angle(const PathVertex& vertex) {
   return eta * eta * (1 - cos_o * cos_o) >= 1;
 }
 
-/// Which lobe a path has followed that goes on to `wi`.
+/// The lobe that a path has followed if it goes on to `wi`.
 std::string event_of(const PathVertex& vertex, const Vec3& wi) {
   const Vec3& normal = vertex.normal;
   const Material& material = vertex.material;
@@ -145,7 +145,7 @@ std::string end_of_path(const PathVertex& vertex, int max_bounces) {
   return black ? "absorbed: the surface is black" : "absorbed (roulette)";
 }
 
-/// What `after` is, channel by channel, of `before`; 0 of 0 is 0.
+/// `after` over `before` in each channel; 0 where `before` is 0.
 Vec3 ratio(const Vec3& after, const Vec3& before) {
   Vec3 result(0);
   for (int c = 0; c < 3; ++c) {
@@ -168,7 +168,7 @@ class Story {
     }
   }
 
-  /// One vertex. In a tree it stands further to the right with each bounce.
+  /// One vertex. In a tree each bounce indents it further.
   std::string vertex(std::size_t i) const {
     const PathVertex& vertex = vertices_[i];
     const Material& material = vertex.material;

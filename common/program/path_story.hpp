@@ -8,8 +8,8 @@
 
 namespace lightwalk {
 
-/// The path in words, vertex by vertex, as `log` has heard of it; `radiance`
-/// is what it brought. Several lines, the last one the radiance.
+/// The path in words, vertex by vertex, from its `log`; `radiance` is its
+/// result. Several lines; the last one is the radiance.
 std::string path_story(const PathLog& log, const Vec3& radiance,
                        const LoadedScene& loaded,
                        const RenderSettings& settings);

@@ -6,8 +6,8 @@
 
 namespace lightwalk {
 
-/// The seconds that processors have worked for this program, all threads
-/// together. On Windows std::clock would give those that have passed.
+/// The processor time of this program in seconds, all threads together. On
+/// Windows std::clock would give the elapsed time.
 inline double processor_seconds() {
 #ifdef _WIN32
   FILETIME created, ended, in_system, in_program;

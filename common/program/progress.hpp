@@ -2,9 +2,9 @@
 
 // # What a render says while it goes on
 //
-// A line on the terminal says how far it is. Where a path becomes a tree, a
-// few more bounces are the difference between a minute and a year: so a
-// warning says what is coming, as soon as the first samples show it.
+// A line on the terminal says how far the render is. If a path becomes a
+// tree, a few more bounces are the difference between a minute and a year: so
+// a warning estimates the time, as soon as the first samples show it.
 //
 // Hand-written: Debian has no package of indicators.
 
@@ -26,7 +26,7 @@
 
 namespace lightwalk {
 
-/// Where the system cannot tell, the answer is no.
+/// If the system cannot tell, the answer is no.
 inline bool stderr_is_terminal() {
 #ifdef STDERR_FILENO
   return isatty(STDERR_FILENO) != 0;
@@ -45,7 +45,7 @@ inline std::string with_unit(double value) {
   return text;
 }
 
-/// Seconds, hours, days or years, whichever is read most easily.
+/// Seconds, hours, days or years, whichever is easiest to read.
 inline std::string time_text(double seconds) {
   const double hours = seconds / 3600, days = hours / 24;
   const double years = days / 365.25;
@@ -67,15 +67,15 @@ struct RenderCost {
   double total_samples;
 };
 
-/// The warning about a render that takes absurdly long: hours to come, and
-/// samples of a thousand rays and more. A sample that a thread has begun and
-/// not ended counts as one, so neither number is too large.
+/// The warning about a render that takes absurdly long: at least two hours,
+/// with at least a thousand rays per sample. A sample that a thread has begun
+/// and not ended counts as one, so neither number is too large.
 inline std::optional<std::string> cost_warning(const RenderCost& cost) {
   const double begun = cost.samples + cost.threads;
   const double rays = cost.rays / begun;
   const double seconds = cost.seconds * cost.total_samples / begun;
   if (rays < 1000 || seconds < 7200) return std::nullopt;
-  // Where few samples are done, those that have just begun count too much.
+  // While few samples are done, those that have just begun count too much.
   const char* about =
       cost.samples < 20.0 * cost.threads ? "more than " : "about ";
   return "each sample follows " + (about + with_unit(rays)) +
@@ -83,9 +83,9 @@ inline std::optional<std::string> cost_warning(const RenderCost& cost) {
          "; fewer --max-bounces take less";
 }
 
-/// Watches a render in a thread of its own until it is destroyed: five times
-/// a second the line, if stderr is a terminal, and once a warning. Without a
-/// thread from the system the render goes on unwatched.
+/// Watches a render in its own thread until this object is destroyed: prints
+/// the line five times a second, if stderr is a terminal, and the warning at
+/// most once. If the system gives no thread, the render goes on unwatched.
 class Progress {
  public:
   Progress(std::string program, const RenderProgress& progress, int threads,
@@ -151,7 +151,7 @@ class Progress {
   const RenderProgress& progress_;
   int threads_;
   double total_;
-  /// What erases the line; nothing where there is no terminal.
+  /// What erases the line; empty without a terminal.
   const char* erase_ = stderr_is_terminal() ? "\r\x1b[K" : "";
   std::chrono::steady_clock::time_point start_ =
       std::chrono::steady_clock::now();

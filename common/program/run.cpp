@@ -40,8 +40,8 @@ void catch_interrupts() {
   });
 }
 
-/// What the command line asks for, and where it is silent the scene, and
-/// where that is silent too the program.
+/// Each setting is the command line's, or else the scene's, or else the
+/// program's.
 RenderSettings settings_for(const Program& program, const Options& options,
                             const LoadedScene& loaded) {
   RenderSettings settings;
@@ -61,7 +61,7 @@ RenderSettings settings_for(const Program& program, const Options& options,
   return settings;
 }
 
-/// Does something with a path tracer, and says so of what it throws.
+/// Uses a path tracer. What it throws becomes an error that names it.
 template <class Use>
 void with_path_tracer(Use use) {
   try {
@@ -79,8 +79,7 @@ void with_path_tracer(Use use) {
   }
 }
 
-/// While it lives, a path of this thread ends at a length that nobody would
-/// read.
+/// While this object lives, a path of this thread is cut after 100,000 rays.
 class LengthLimit final : public RayWatcher {
  public:
   LengthLimit() { ray_watcher = this; }

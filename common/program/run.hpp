@@ -1,7 +1,7 @@
 #pragma once
 
 // What the `main` of every stage calls. The rest of the program is compiled
-// once, in run.cpp, and knows no path tracer: it gets two functions of it.
+// once, in run.cpp, and knows no path tracer: it gets two functions to call.
 
 #include <atomic>
 
@@ -10,7 +10,7 @@
 
 namespace lightwalk {
 
-/// What the program asks of a path tracer.
+/// What the program calls of a path tracer.
 struct PathTracerCalls {
   RenderResult (*paint)(Scene&, const RenderSettings&,
                         const std::atomic<bool>& stop, RenderProgress&);
@@ -23,8 +23,8 @@ struct PathTracerCalls {
 int run(int argc, char** argv, const Program& program,
         const PathTracerCalls& tracing);
 
-/// The same, with a path tracer of the caller's, and one that can tell of its
-/// paths.
+/// The same, with a path tracer of the caller's, and one that logs a single
+/// path.
 template <class PathTracer, class SinglePathTracer = PathTracer>
 int run(int argc, char** argv, const Program& program) {
   return run(argc, argv, program,

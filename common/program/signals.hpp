@@ -1,8 +1,8 @@
 #pragma once
 
 // Signals that ask a program to end: Ctrl-C, `kill`, and a terminal that is
-// closed. What `nohup` or a shell has set to be ignored stays ignored, but
-// for Ctrl-C.
+// closed. A signal that `nohup` or a shell has set to be ignored stays
+// ignored, except for Ctrl-C.
 
 #include <csignal>
 
@@ -24,8 +24,8 @@ inline void catch_ending_signals(void (*handler)(int)) {
   }
 }
 
-/// A pipe whose reader has left, and a file that may not grow, are errors of
-/// a write from here on. They do not end the program.
+/// From here on, writing to a pipe without a reader or to a file that may not
+/// grow is an error, and does not end the program.
 inline void ignore_failing_writes() {
 #ifdef SIGPIPE
   std::signal(SIGPIPE, SIG_IGN);

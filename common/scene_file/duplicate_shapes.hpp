@@ -24,9 +24,9 @@ inline ShapeNumbers numbers_of(const FlatShape& f) {
   return {a.x, a.y, a.z, u.x, u.y, u.z, v.x, v.y, v.z};
 }
 
-/// A warning if the file has a shape twice, the first of them; it begins with
-/// a line and a column. A lamp or glass that has been set apart from what it
-/// lies on (common/scene/scene.hpp) is no duplicate of it.
+/// A warning about the first shape that the file has twice, if there is one;
+/// it begins with a line and a column. A lamp or glass that was set apart
+/// from what it lies on (common/scene/scene.hpp) is not a duplicate.
 inline std::optional<std::string> duplicate_shapes(
     const LoadedScene& loaded) {
   struct Entry {

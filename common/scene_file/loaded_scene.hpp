@@ -14,7 +14,7 @@
 
 namespace lightwalk {
 
-/// Where something stands in a file.
+/// A place in a file.
 struct LineAndColumn {
   std::uint32_t line, column;
   auto operator<=>(const LineAndColumn&) const = default;
@@ -22,7 +22,7 @@ struct LineAndColumn {
 
 /// The 64-bit FNV-1a hash of the bytes, as 16 hexadecimal digits (G. Fowler,
 /// L. Noll, K.-P. Vo; IETF draft-eastlake-fnv). It says whether two pictures
-/// are from the same scene file, and is no protection against forgery.
+/// are from the same scene file, and does not protect against forgery.
 inline std::string fnv_1a(std::string_view bytes) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char byte : bytes) {
@@ -33,14 +33,14 @@ inline std::string fnv_1a(std::string_view bytes) {
   return digits;
 }
 
-/// A scene as it was read, with what its file says beside it.
+/// A scene as it was read, with what else its file says.
 struct LoadedScene {
   Scene scene;
   std::string hash;  ///< of the file's bytes: fnv_1a()
   std::optional<int> samples_per_pixel;
   std::optional<int> max_bounces;
   std::map<const Material*, std::string> material_names;
-  /// Where each shape stands, of each type in the scene's order.
+  /// The place of each shape, by type, in the scene's order.
   std::map<ShapeType, std::vector<LineAndColumn>> shape_places;
   std::vector<std::string> warnings;  ///< one line each, with file and line
 };

@@ -30,7 +30,7 @@ inline void require(const Syllabus& syllabus, std::string_view word,
 /// Adds materials to a scene, and knows their names.
 class MaterialReader {
  public:
-  /// Textures are looked for from `folder` on, that of the scene file.
+  /// Paths of textures are relative to `folder`, that of the scene file.
   MaterialReader(const Syllabus& syllabus, std::string folder, Scene& scene)
       : syllabus_(syllabus), folder_(std::move(folder)), scene_(scene) {}
 
@@ -94,7 +94,7 @@ class MaterialReader {
   }
 
   /// Reads a coefficient: a color into `value`, or a pattern. Returns the
-  /// largest value that it has anywhere; 0 where the file has none.
+  /// largest value that it has anywhere; 0 if the file has none.
   Vec3 read_coefficient(const TomlTable& table, const char* key, Vec3& value,
                         const VaryingCoefficient*& pattern) {
     const toml::node* node = table.find(key);

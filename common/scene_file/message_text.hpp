@@ -6,8 +6,9 @@
 
 namespace lightwalk {
 
-/// Control characters, ASCII's and those that UTF-8 writes as C2 80 to C2 9F,
-/// would break the one line that an error is, or command the terminal.
+/// The text with blanks for control characters, ASCII's and those that UTF-8
+/// writes as C2 80 to C2 9F. They would break the one line of an error, or
+/// command the terminal.
 inline std::string one_line(std::string_view text) {
   std::string result;
   unsigned char before = 0;
@@ -22,8 +23,8 @@ inline std::string one_line(std::string_view text) {
   return result;
 }
 
-/// The text with its control characters spelt out, such as \x0a, for names
-/// that people shall find again.
+/// The text with its control characters spelled out, such as \x0a, for names
+/// that people should find again.
 inline std::string escaped(std::string_view text) {
   const auto spelt_out = [](unsigned char byte) {
     constexpr const char* digits = "0123456789abcdef";
@@ -48,7 +49,7 @@ inline std::string escaped(std::string_view text) {
   return result;
 }
 
-/// The text, or its beginning where it is long, never half a character.
+/// The text, or its first `most` bytes, but never half a character.
 inline std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);
   while (most > 0 && (text[most] & '\xc0') == '\x80') --most;

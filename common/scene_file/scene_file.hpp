@@ -26,7 +26,7 @@ namespace lightwalk {
 
 class SceneReader {
  public:
-  /// Textures are looked for from `folder` on, that of the scene file.
+  /// Paths of textures are relative to `folder`, that of the scene file.
   SceneReader(const Syllabus& syllabus, std::string folder)
       : syllabus_(syllabus),
         materials_(syllabus, std::move(folder), loaded_.scene),
@@ -143,7 +143,7 @@ inline std::string scene_suggestion(const std::string& path) {
         names.push_back(name_of(file->path().stem()));
       }
     }
-    std::sort(names.begin(), names.end());  // they come in any order
+    std::sort(names.begin(), names.end());  // the folder has no order
     const std::string best = nearest(name_of(wanted.stem()), names);
     if (best.empty()) continue;
     return ", did you mean '" + name_of(folder / file_path(best + ".toml")) +
@@ -152,11 +152,12 @@ inline std::string scene_suggestion(const std::string& path) {
   return "";
 }
 
-/// More bytes than any scene has: two million triangles. A wrong file must
-/// not fill the memory.
+/// More bytes than any scene file has: two million triangles. A wrong file
+/// must not fill the memory.
 inline constexpr std::uintmax_t max_scene_bytes = 1 << 28;
 
-/// The bytes of a scene file. Folders and devices are refused.
+/// The bytes of a scene file. Throws a SceneError, also for folders and
+/// devices.
 inline std::string read_scene_text(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -179,7 +180,8 @@ inline std::string read_scene_text(const std::string& path) {
   return {};
 }
 
-/// Reads the scene of a TOML text; `path` is what error messages call it.
+/// Reads the scene of a TOML text; error messages call it `path`. Throws a
+/// SceneError.
 inline LoadedScene parse_scene(std::string_view text, const std::string& path,
                                const Syllabus& syllabus) {
   check_extent(text, path);

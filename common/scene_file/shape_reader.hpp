@@ -15,7 +15,7 @@ namespace lightwalk {
 /// Lengths from 1e-12 to 1e12 can be squared in a float.
 inline constexpr float least_length = 1e-12f;
 
-/// A vector's direction. Scaled first, so that no digit of it is lost.
+/// A vector's direction. The vector is scaled first, so no digit is lost.
 inline Vec3 unit(const TomlTable& table, const char* key) {
   const Vec3 v = table.vector(key);
   const float size = max_abs_component(v);
@@ -28,7 +28,7 @@ inline Vec3 unit(const TomlTable& table, const char* key) {
   return normalize(v / size);
 }
 
-/// Adds shapes to a scene, and notes where they stand.
+/// Adds shapes to a scene, and keeps their places in the file.
 class ShapeReader {
  public:
   ShapeReader(const MaterialReader& materials, LoadedScene& loaded)
@@ -132,10 +132,10 @@ class ShapeReader {
     add(node, ShapeType::triangle, triangle);
   }
 
-  /// Which vertex is the corner that the edges start from. The file's first,
-  /// but for a needle: from its tip the two edges are parallel but for
-  /// rounding, so it starts opposite its longest edge, whichever vertex the
-  /// file begins with. Not where a pattern may follow the edges.
+  /// The vertex at which the edges start: the file's first, except for a
+  /// needle. From a needle's tip the two edges are parallel but for rounding,
+  /// so they start opposite its longest edge, whichever vertex is the first.
+  /// A patterned needle keeps its first vertex: the pattern may follow edges.
   static std::size_t first_corner(const toml::node& node,
                                   const std::string& what,
                                   const Vec3 (&vertex)[3],

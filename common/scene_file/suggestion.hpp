@@ -13,7 +13,7 @@
 
 namespace lightwalk {
 
-/// A name as messages show it.
+/// A name as it is shown in messages.
 inline std::string in_quotes(std::string_view name) {
   return '\'' + shortened(name, 60) + '\'';
 }
@@ -35,8 +35,8 @@ std::string none_of(std::string_view word, const Names& names) {
   return in_quotes(word) + " is none of " + listed(names);
 }
 
-/// How many letters must be put in, taken out, replaced or swapped with the
-/// next to make b of a.
+/// How many letters must be inserted, deleted, replaced or swapped with the
+/// next to turn a into b: the optimal string alignment distance.
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1), above, above_that;
   for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
@@ -55,8 +55,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// Whether the two are words for one thing. People bring the words of other
-/// programs, and those of the command line into a scene file.
+/// Whether the two are words for one thing. In scene files people use words
+/// of other programs and of the command line.
 inline bool are_synonyms(std::string_view a, std::string_view b) {
   constexpr std::string_view things[][5] = {
       {"samples_per_pixel", "spp", "samples"},

@@ -1,7 +1,7 @@
 #pragma once
 
-// A scene may ask for what the course has not come to yet. Then the program
-// says so by name, instead of painting a wrong picture.
+// A scene may use what a later stage introduces. Then the program names it,
+// instead of painting a wrong picture.
 
 #include <optional>
 #include <span>
@@ -20,7 +20,7 @@ struct Syllabus {
   int stage;
   std::span<const Introduction> introductions;
 
-  /// The stage that introduces `word`, if that is still to come.
+  /// The stage that introduces `word`, if it is a later one.
   std::optional<int> still_to_come(std::string_view word) const {
     for (const Introduction& introduction : introductions) {
       if (introduction.word == word && introduction.stage > stage) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Reads values out of a TOML file, and says for every one that does not fit
-// which it is, where it stands and what was expected in its place.
+// Reads values from a TOML file. The error for a wrong value says which value
+// it is, where it stands and what was expected in its place.
 
 #include <toml++/toml.h>
 
@@ -41,20 +41,20 @@ struct SceneError : std::runtime_error {
   fail_at(node.source(), message);
 }
 
-/// More values than any scene has, which take 2.5 GB: a value of two
+/// More values than any scene has. So many take 2.5 GB: a value of two
 /// characters takes 80 bytes.
 inline constexpr std::size_t max_values = std::size_t{1} << 25;
 
-/// Refuses what would take too much of toml++, before it reads the text.
-/// Keys of very many parts, such as a.a.a. ...: each part is a table in a
-/// table, which toml++ leaves again by recursion, and its own bound on
-/// nesting does not count them. No key of a scene has more than three.
-/// And texts of very many values.
+/// Refuses texts that are too much for toml++, before toml++ reads them:
+/// those of very many values, and those with keys of very many parts, such as
+/// a.a.a. ... Each part is a table in a table, which toml++ leaves again by
+/// recursion, and its own bound on nesting does not count these tables. No
+/// key of a scene has more than three parts.
 inline void check_extent(std::string_view text, const std::string& path,
                          std::size_t most = max_values) {
   std::size_t values = 0;
   constexpr int max_dots = 15;
-  int dots = 0;            // since the last character that is in no key
+  int dots = 0;            // since the last character outside of a key
   std::string_view quote;  // what ends the string that we are in
   toml::source_position place{1, 1};
   for (std::size_t i = 0; i < text.size();) {
@@ -72,7 +72,7 @@ inline void check_extent(std::string_view text, const std::string& path,
       } else if (rest[0] == '\\' && quote[0] == '"') {
         length = std::min<std::size_t>(2, rest.size());
       } else if (rest[0] == '\n' && quote.size() == 1) {
-        quote = {};  // a syntax error, which is toml++'s to report
+        quote = {};  // a syntax error, which toml++ reports
       }
     } else if (rest[0] == '#') {
       length = std::min(rest.find('\n'), rest.size());
@@ -108,7 +108,7 @@ inline void check_extent(std::string_view text, const std::string& path,
   }
 }
 
-/// What a TOML value is, in words.
+/// The type of a TOML value, in words.
 inline std::string kind_of(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table:
@@ -158,7 +158,7 @@ inline Vec3 read_vector(const toml::node& node, const std::string& name) {
   return result;
 }
 
-/// A grey as one number, or [red, green, blue]; nothing below 0.
+/// A gray as one number, or [red, green, blue]; nothing below 0.
 inline Vec3 read_color(const toml::node& node, const std::string& name) {
   if (!node.is_number() && !node.is_array()) {
     fail_at(node, name + " must be a number or [red, green, blue], not " +
@@ -174,7 +174,7 @@ inline Vec3 read_color(const toml::node& node, const std::string& name) {
 
 inline int read_integer(const toml::node& node, const std::string& name,
                         int least, int most) {
-  // Of an integer alone: toml++ would cast 1e300 to one, to see if it fits.
+  // Only an integer: toml++ would cast 1e300 to one, to see if it fits.
   const toml::value<std::int64_t>* const value = node.as_integer();
   if (!value || value->get() < least || value->get() > most) {
     fail_at(node, name + " must be a whole number from " +
@@ -198,10 +198,10 @@ inline bool read_boolean(const toml::node& node, const std::string& name) {
   return *node.value<bool>();
 }
 
-/// A table of which all keys are known: others are refused when it is made.
+/// A table of known keys. Its constructor refuses all others.
 class TomlTable {
  public:
-  /// `name` is what messages call the table, such as "material 'white'".
+  /// Messages call the table `name`, such as "material 'white'".
   TomlTable(const toml::node& node, std::string name,
             std::initializer_list<const char*> known)
       : name_(std::move(name)) {
@@ -220,10 +220,10 @@ class TomlTable {
   const std::string& name() const { return name_; }
   const toml::table& table() const { return *table_; }
 
-  /// The value of a key, or null where there is none.
+  /// The value of a key, or null if there is none.
   const toml::node* find(const char* key) const { return table_->get(key); }
 
-  /// The value of a key that must be there.
+  /// The value of a key that must be there. Throws a SceneError.
   const toml::node& at(const char* key) const {
     const toml::node* node = find(key);
     if (!node) fail_at(*table_, name_ + " needs '" + std::string(key) + "'");
