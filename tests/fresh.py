@@ -1,14 +1,14 @@
-"""What the README says, typed on systems that were made a minute ago.
+"""Runs the README's commands on freshly installed systems.
 
     make test-fresh                 python3 -m tests.fresh [RELEASE...]
 
-Makes a Debian of each release by debootstrap, the smallest there is, with git
-and make alone; clones this tree's last commit into root's home; and types the
-README's commands one after the other, with CI=true, so that nothing that is
-skipped or left out can pass. Prints a table of exit codes, seconds of processor
-time, and packages. Needs root, debootstrap and an hour.
+Installs a minimal Debian of each release with debootstrap, with only git and
+make; clones this tree's last commit into root's home; and runs the README's
+commands one after the other, with CI=true, so that skipped tests and left-out
+parts fail. Prints a table of exit codes, seconds of processor time, and
+packages. Needs root, debootstrap and an hour.
 
-Mirrors, certificates and proxies are those of this machine.
+Uses this machine's mirrors, certificates and proxies.
 """
 
 import argparse
@@ -27,7 +27,7 @@ from tools.tree import BUILD, ROOT
 RELEASES = ("bookworm", "trixie")  # Debian 12 and 13
 HOME = "/root/lightwalk"
 BEGINNING = ["git", "make", "ca-certificates"]
-# What is typed, where, and the exit code that is expected.
+# The command, its folder, and the expected exit code.
 COMMANDS = (
     ("make", HOME, 0),
     ("make test", HOME, 0),
@@ -80,12 +80,12 @@ class System:
         subprocess.run(["git", "clone", "--quiet", ROOT, f"{self.folder}{HOME}"], check=True)
 
     def run(self, command, place):
-        """Types it in a shell of the system; what it prints goes to the log."""
+        """Runs a command in a shell of the system; its output goes to the log."""
         environment = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/root", "LANG": "C.UTF-8"}
         for name, value in os.environ.items():
             if re.search("proxy|_cert|_ca_", name, re.IGNORECASE) and not value.startswith("/opt"):
                 environment[name] = value
-        # Mounts are seen by this command alone, and its processes end with it.
+        # Only this command sees the mounts, and its processes end with it.
         inside = ["unshare", "--mount", "--pid", "--fork", "--kill-child"]
         with self.log.open("a") as log:
             log.write(f"\n$ {command}\n")
@@ -108,7 +108,7 @@ class System:
 
 
 def mirror():
-    """This machine's, where it is a Debian."""
+    """The mirror of this machine, if it is a Debian."""
     for path in [Path("/etc/apt/sources.list"), *Path("/etc/apt/sources.list.d").glob("debian*")]:
         if path.exists() and (
             found := re.search(r"^(?:URIs: |deb )(\S+/debian/?)(?:\s|$)", path.read_text(), re.M)
@@ -144,7 +144,7 @@ def table(system, rows):
 
 
 def last_lines(system, command):
-    """Of what a command has printed that failed."""
+    """The last lines of a failed command's output."""
     text = system.log.read_text(errors="replace").split(f"\n$ {command}\n")[-1].split("\n$ ")[0]
     return "\n".join("    " + line for line in text.rstrip().splitlines()[-12:])
 
@@ -153,7 +153,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("releases", nargs="*", default=RELEASES, metavar="RELEASE")
     parser.add_argument(
-        "--only", action="append", help="one of the commands, as it is typed", metavar="COMMAND"
+        "--only", action="append", help="run only this command", metavar="COMMAND"
     )
     options = parser.parse_args()
     if os.geteuid() != 0 or not shutil.which("debootstrap"):

@@ -1,4 +1,4 @@
-"""Runs every test of what renders, as CTest knows them: `make test`.
+"""Runs all CTest tests of the programs: `make test`.
 
 python3 -m tests.run [OPTION OF CTEST...]
 """
@@ -15,7 +15,7 @@ def main():
     junit.unlink(missing_ok=True)
     done = subprocess.run(
         ["ctest", "--test-dir", BUILD, "--no-tests=error", "--output-on-failure", "--output-junit", junit]
-        # All that a test says is counted, also where it passes.
+        # The output of all tests is counted, also of those that pass.
         + ["--test-output-size-passed", "1000000", "--test-output-size-failed", "1000000"]
         + sys.argv[1:]
     )

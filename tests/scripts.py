@@ -1,9 +1,9 @@
-"""Runs files of Python tests, and says at the end how many were skipped, and why.
+"""Runs files of Python tests, and reports at the end how many were skipped, and why.
 
     python3 -m tests.scripts FILE... [-k PATTERN]
 
-Exit codes: 0 all pass, 1 some fail, 77 all were skipped. Where CI=true, one that
-was skipped has failed.
+Exit codes: 0 all pass, 1 some fail, 77 all were skipped. With CI=true, a skipped
+test counts as failed.
 """
 
 import argparse
@@ -17,7 +17,7 @@ SKIPPED = 77
 
 
 class Result(unittest.TextTestResult):
-    """Counts what has passed, too."""
+    """Counts the passed tests, too."""
 
     passed = 0
 
@@ -38,7 +38,7 @@ def load(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="+")
-    parser.add_argument("-k", help="only tests whose names have this", dest="pattern", action="append")
+    parser.add_argument("-k", help="only tests whose names contain this", dest="pattern", action="append")
     options = parser.parse_args()
     if options.pattern:
         unittest.defaultTestLoader.testNamePatterns = [f"*{one}*" for one in options.pattern]

@@ -5,8 +5,8 @@ Prints the last lines of `make test` and `make test-site`:
     skipped: NAME: REASON
     N passed, N failed, N skipped
 
-Where CI=true, a test that was skipped and a part that is left out of the build
-(build/left_out.txt) are failures: what is not tested there is tested nowhere.
+With CI=true, skipped tests and parts that the build leaves out
+(build/left_out.txt) count as failures: what CI does not test, nobody tests.
 """
 
 import os
@@ -22,8 +22,8 @@ class Tally:
         self.skipped = []  # "NAME: REASON"
 
     def add_text(self, text):
-        """What a runner has printed: tests.runner, tests.scripts, or node's. Returns
-        whether it says how many tests there were."""
+        """Adds the output of a runner: tests.runner or tests.scripts. Returns whether
+        it contains the number of tests."""
         known = False
         for line in text.splitlines():
             if found := re.fullmatch(r"(\d+) passed, (\d+) failed, \d+ skipped", line):
@@ -47,7 +47,7 @@ class Tally:
         self.skipped += other.skipped
 
     def add_junit(self, path):
-        """What ctest has written: each of its entries is a program with tests of its own."""
+        """Adds the report of ctest: each of its entries is a program with many tests."""
         for entry in ElementTree.parse(path).getroot().iter("testcase"):
             text = "".join(entry.itertext())
             failures = self.failed
@@ -55,7 +55,7 @@ class Tally:
             if entry.get("status") == "run":
                 self.passed += not known
             elif entry.get("status") == "fail":
-                # It may have broken off before it counted.
+                # The program may have ended before it counted.
                 self.failed += self.failed == failures
             elif not known:
                 reason = entry.find("skipped")
@@ -63,7 +63,7 @@ class Tally:
                 self.skipped.append(f"{entry.get('name')}: {reason}")
 
     def add_tap(self, text):
-        """What node has printed with --test-reporter=tap."""
+        """Adds the output of node --test-reporter=tap."""
         for line in text.splitlines():
             if found := re.match(r"\s*(not )?ok \d+ - (.*?)(?: # SKIP ?(.*))?$", line):
                 bad, name, reason = found.groups()
@@ -78,8 +78,8 @@ class Tally:
 
     def close(self, *where, broken=0):
         """Prints the last lines; returns the exit code. `where` are the parts of
-        left_out.txt that these tests are about, `broken` the programs that ended
-        before they had counted."""
+        left_out.txt that these tests cover, `broken` is the number of programs that
+        ended before they counted."""
         self.failed += broken
         missing = [f"not tested: {line}" for place in where for line in left_out(place)]
         lines = [f"skipped: {line}" for line in self.skipped] + missing

@@ -15,7 +15,7 @@ class Throwing(InFolder):
         told = {
             1: "error: the path tracer threw an exception: a pixel is wrong",
             2: "there is not enough memory",
-            3: "error: the path tracer threw something that is no std::exception",
+            3: "error: the path tracer threw something that is not a std::exception",
         }
         for seed, message in told.items():
             for threads in (1, 8):
@@ -34,7 +34,7 @@ class Throwing(InFolder):
             if result.returncode:
                 break
         self.assert_one_line(
-            result, "throwing: error: the path tracer threw something that is no std::exception"
+            result, "throwing: error: the path tracer threw something that is not a std::exception"
         )
 
 
@@ -84,7 +84,7 @@ class TreesOfPaths(InFolder):
         result = run("stage3", *self.endless, "--pixel=128,128", folder=self.folder)
         self.assert_one_line(
             result,
-            "stage3: the sample follows more than 100,000 rays, too many to be told: try fewer --max-bounces",
+            "stage3: the sample follows more than 100,000 rays, too many to print: try fewer --max-bounces",
         )
 
 

@@ -219,7 +219,7 @@ class WhatIsTold(Pixels):
     @needs_stage4
     def test_a_lamp_that_was_asked_before(self):
         shapes = square("white", 1) + square("lamp", -1, towards_camera=False)
-        said = self.found(shapes, "this lamp was counted at the vertex before")
+        said = self.found(shapes, "this lamp was counted at the previous vertex")
         *_, wall, _ = vertices_of(said)
         self.assertRegex(dict(wall)["light"], r"at [\d.]+: reached$")
         self.assertIn("adds       nothing: this lamp", said)

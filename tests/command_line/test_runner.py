@@ -66,7 +66,7 @@ class Reports(Runner):
         self.assertEqual(text, "1 test passes\n")
 
     def test_no_test_is_no_pass(self):
-        self.assert_says("there is none", "no test has such a name")
+        self.assert_says("there is none", "no test has this name")
 
     def test_vectors_are_printed(self):
         self.assert_says("unit vector", "(0.1, 0.2, 0.3) == (1, 2, 3)", "(tests/command_line/bad_suite.cpp:")
@@ -108,7 +108,7 @@ class Reports(Runner):
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertTrue(done.stdout.startswith("34 tests pass\n"), done.stdout)
-        self.assertIn("The program left by std::exit or the like, exit code 0", done.stdout)
+        self.assertIn("The program called std::exit or the like, exit code 0", done.stdout)
         command[4:] = ["none/suite"]
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
         self.assertEqual(done.stderr, "tests.runner: none/suite: No such file or directory\n")
@@ -123,25 +123,25 @@ class Ends(Runner):
                     f"ends {name},unit factor",
                     "1 test fails: unit factor",
                     "pi times what it should be",
-                    f'Then the program left by std::exit or the like, exit code 0, during the test "ends {name}"',
+                    f'Then the program called std::exit or the like, exit code 0, during the test "ends {name}"',
                 )
 
     def test_whoever_leaves_before_the_first_test_does_not_pass(self):
         self.assert_says(
             "unit passes",
-            "left by std::exit or the like, exit code 0, between two tests, or before the first",
+            "called std::exit or the like, exit code 0, between two tests, or before the first",
             environment={"LIGHTWALK_EXIT_BEFORE_MAIN": "1"},
         )
 
     @unittest.skipIf(sanitized(), "a sanitizer has its own words")
     def test_a_crash_is_told(self):
-        recursion = "called each other without an end"
+        recursion = "called each other endlessly"
         for name, why in {
             "abort": "std::abort",
-            "segment": "memory that it does not have",
+            "segment": "invalid memory",
             "recursion": recursion,
             "recursion in a thread": recursion,
-            "exception in a thread": "an exception that nobody caught; the lines above may say which",
+            "exception in a thread": "an uncaught exception; the lines above may say which",
         }.items():
             with self.subTest(name):
                 self.assert_says(
@@ -150,7 +150,7 @@ class Ends(Runner):
                     f'Then the tests crashed during the test "ends {name}"',
                     why,
                 )
-        # What fails in the same kind of tests is no sharper.
+        # A failure in the same kind of tests is no sharper.
         self.assert_says(
             "ends abort,golden fails",
             'The tests crashed during the test "ends abort"',
@@ -161,7 +161,7 @@ class Ends(Runner):
     def test_what_the_library_says_of_a_crash_is_kept(self):
         self.assertIn("nobody catches it", report.first_failure(run("ends exception in a thread")))
         outcome = run("ends assertion")
-        if "Assertion" in outcome.printed:  # libstdc++'s, where it is compiled by GCC
+        if "Assertion" in outcome.printed:  # from libstdc++, if GCC compiled it
             self.assertRegex(report.first_failure(outcome), r"^  optional:\d+: Assertion '.*' failed\.\n")
 
     @unittest.skipIf(platform.machine() not in ("x86_64", "AMD64"), "no such signal")
@@ -177,8 +177,8 @@ class Limits(Runner):
                 text = self.assert_says(
                     f"ends {name},unit factor",
                     "1 test fails: unit factor" if name != "checks" else "2 tests fail",
-                    f'Then the tests do not end: stopped during the test "ends {name}" which had computed '
-                    "for 0.5 seconds of processor time. A loop",
+                    f'Then the tests do not end: stopped during the test "ends {name}" which had used '
+                    "0.5 seconds of processor time. An endless loop",
                     seconds=0.5,
                 )
                 self.assertLess(len(text), 3000)
@@ -188,8 +188,8 @@ class Limits(Runner):
             with self.subTest(name):
                 self.assert_says(
                     f"ends {name},unit factor",
-                    f'Then the tests do not end: stopped during the test "ends {name}" in which nothing '
-                    "had moved for 1 seconds. A lock that is never released?",
+                    f'Then the tests do not end: stopped during the test "ends {name}" in which no thread '
+                    "had run for 1 seconds. A lock that is never released?",
                     idle_seconds=1,
                 )
 

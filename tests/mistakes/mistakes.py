@@ -1,17 +1,17 @@
-"""Proves what the tests are worth: puts mistakes into the stages, one by one.
+"""Checks that the tests catch mistakes: puts them into the stages, one by one.
 
 Each mistake of tests/mistakes/stageN.toml is a small change to the header of
-stage N. It is made in a copy, which the compiler finds before the header
-itself; the stage's suite is built against it and run; and the tests that fail
-have caught it. The table of mistakes and tests is written to
-build/mistakes/table.md and table.json. What ends the program with 1:
+stage N. The program makes it in a copy, which the compiler finds before the
+header itself, and builds and runs the stage's suite with it; the tests that
+fail have caught the mistake. It writes the table of mistakes and tests to
+build/mistakes/table.md and table.json. It ends with 1 if:
 
 - the text to replace is not in the header exactly once;
 - the changed header does not compile;
 - no test catches the mistake;
 - a test fails for a variant that is no mistake (verdict = "pass").
 
-Results are kept: what has not changed since is not run again.
+Results are kept: a mistake runs again only after a change.
 """
 
 import argparse
@@ -36,7 +36,7 @@ CATALOGUE = Path(__file__).parent
 
 @dataclasses.dataclass
 class Mistake:
-    """One change to one stage's header, or a variant that is none."""
+    """One change to one stage's header: a mistake, or a right variant."""
 
     stage: int
     name: str
@@ -49,13 +49,13 @@ class Mistake:
 
 @dataclasses.dataclass
 class Result:
-    """What became of a mistake."""
+    """The outcome for a mistake."""
 
     key: str
     caught: list  # names of the tests that failed, or hung or crashed
     end: str  # "", "time limit" or "crash"
     error: str  # why there is no result
-    noise: list = dataclasses.field(default_factory=list)  # factors that the suite has noted
+    noise: list = dataclasses.field(default_factory=list)  # factors that the suite reported
 
 
 def read_mistakes(path):
@@ -72,7 +72,7 @@ def read_mistakes(path):
 
 
 def check_catalogue(mistakes):
-    """Refuses a catalogue that names tests or mistakes that cannot be."""
+    """Refuses a catalog with unknown tests, bad verdicts or double names."""
     names = [f"{one.stage}/{one.name}" for one in mistakes]
     for name in set(names):
         if names.count(name) > 1:
@@ -93,8 +93,8 @@ def check_catalogue(mistakes):
 
 
 def link_command(target, folder):
-    """The words that link the target, without its own objects. They name files
-    as seen from the folder, where they are run."""
+    """The words that link the target, without its own objects. File names are
+    relative to the folder in which the command runs."""
     if (BUILD / "build.ninja").exists():
         command = ["ninja", "-C", BUILD, "-t", "commands", target]
         said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
@@ -126,7 +126,7 @@ class Suite:
         self.given_key = self.hash_given()
 
     def hash_given(self):
-        """Of all that a mistake does not change, but for the suite itself."""
+        """A hash of all that a mistake does not change, without the suite itself."""
         files = [
             path
             for pattern in (
@@ -148,14 +148,14 @@ class Suite:
         return whole.hexdigest()
 
     def key(self, header):
-        """Of all that the suite with this header is made from."""
+        """A hash of all that the suite with this header is made from."""
         whole = hashlib.sha256((self.given_key + header + repr(self.compile)).encode())
         for source in sorted((ROOT / f"tests/stage{self.stage}").glob("*")):
             whole.update(source.read_bytes())
         return whole.hexdigest()
 
     def compile_command(self, target, options):
-        """As the build compiles the suite, with these options first."""
+        """The build's command for the suite, with these options first."""
         words = list(self.compile)
         words[words.index("-o") + 1] = str(target)
         for option in ("-MD", "-MT", "-MF"):
@@ -165,8 +165,8 @@ class Suite:
         return words[:1] + options + words[1:]
 
     def build(self, folder, options=()):
-        """Builds the suite with the header that is in the folder; returns the
-        program, which is there, too."""
+        """Builds the suite with the header in the folder; returns the program, which
+        is in the same folder."""
         target, program = folder / "suite.o", folder / self.target
         run(self.compile_command(target, [f"-I{folder}", *options]), "does not compile", self.folder)
         place = self.link.index("-o")
@@ -180,7 +180,7 @@ class Suite:
 
 
 def run(command, what, folder=None):
-    """Runs a compiler or linker, whose complaint is the error."""
+    """Runs a compiler or linker; its first error is the failure."""
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode != 0:
         lines = [line for line in done.stderr.splitlines() if "error" in line]
@@ -202,14 +202,13 @@ def changed_header(mistake, suite):
 
 
 def noted_noise(notes):
-    """By how much the suite says that variances differ from a right program's."""
+    """The factors of noise, relative to a right program, that the suite reported."""
     text = "\n".join(notes)
     return sorted(float(one) for one in re.findall(r"([0-9][0-9.e+-]*)\s+times the (?:noise|golden's)", text))
 
 
 def run_program(program, *options, seconds=None, environment=None):
-    """The outcome of a suite, which loads the library that reads pictures from
-    the build folder."""
+    """Runs a suite, which loads the image library from the build folder."""
     paths = {name: str(BUILD) for name in ("LD_LIBRARY_PATH", "DYLD_LIBRARY_PATH")}
     return runner.run(
         program,
@@ -220,9 +219,9 @@ def run_program(program, *options, seconds=None, environment=None):
 
 
 def run_suite(program, named=""):
-    """The tests that failed, how the program ended, and the noise that was noted.
+    """The tests that failed, how the program ended, and the noise that it reported.
 
-    With `named`, only tests whose names begin so are run.
+    With `named`, runs only tests whose names begin with it.
     """
     outcome = run_program(program, *([f"-tc={tests_filter([named])}"] if named else []))
     return outcome.caught_by, outcome.end, noted_noise(outcome.notes)
@@ -239,8 +238,8 @@ def build_with(header, suite, folder):
 def try_mistake(mistake, suite, folder, named_first=False):
     """Builds and runs a suite with a mistake in its stage's header.
 
-    With `named_first` the test that the catalogue names is run alone, and all
-    the others only where it does not fail.
+    With `named_first` runs the test that the catalog names alone, and the others
+    only if it does not fail.
     """
     folder = folder / f"stage{mistake.stage}" / mistake.name
     saved = folder / "result.json"
@@ -271,7 +270,7 @@ def try_mistake(mistake, suite, folder, named_first=False):
 
 
 def judge(mistake, result):
-    """What is wrong with the outcome: a word for the table, and an error."""
+    """A word for the table, and an error, which may be empty."""
     if result.error:
         return "no result", result.error
     caught = bool(result.caught or result.end)
@@ -290,7 +289,7 @@ def judge(mistake, result):
 
 
 def as_markdown(rows):
-    """The table of mistakes, and that of tests."""
+    """The table of mistakes, and the table of tests."""
     lines = ["# Mistakes, and the tests that catch them\n"]
     for stage in sorted({mistake.stage for mistake, _, _ in rows}):
         lines += [
@@ -321,17 +320,17 @@ def as_markdown(rows):
 
 
 def main():
-    """Runs the mistakes that were asked for."""
+    """Runs the mistakes of the command line."""
     parser = argparse.ArgumentParser(
-        description="Puts each known mistake into its stage and sees which tests catch it."
+        description="Puts each known mistake into its stage and reports which tests catch it."
     )
     parser.add_argument("names", nargs="*", help="only these mistakes")
     parser.add_argument("--stage", type=int, help="only this stage's")
     parser.add_argument(
         "--named-first",
         action="store_true",
-        help="run the named test alone, and the others only where it passes: half the time, "
-        "and a table that does not say which others fail",
+        help="run the named test alone, and the others only if it passes: half the time, "
+        "but the table does not say which others fail",
     )
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
@@ -350,9 +349,9 @@ def main():
         suites = {stage: Suite(stage) for stage in sorted({one.stage for one in chosen})}
     except (Failure, OSError, subprocess.CalledProcessError) as failure:
         sys.exit(f"mistakes: {failure}")
-    # Nothing changed must pass, or nothing that follows means anything.
+    # The unchanged stage must pass, or the results mean nothing.
     chosen = [
-        Mistake(stage, "nothing-changed", "The stage as it is.", [], verdict="pass") for stage in suites
+        Mistake(stage, "nothing-changed", "The unchanged stage.", [], verdict="pass") for stage in suites
     ] + chosen
 
     rows, errors = [], 0

@@ -1,16 +1,15 @@
-"""Makes every small change to every stage, and lists those that no test notices.
+"""Makes many small changes to every stage, and lists those that no test catches.
 
     make mutants                        all stages
     make mutants MUTANTS="--stage 2"    one of them
 
 tests/mistakes has the mistakes that people make; here are those that nobody
-thought of. A change that no test notices, a mutant that is *alive*, is either
-a hole in the tests or no mistake at all: README.md says how to tell. The
-program ends with 1 where the suite fails without any change.
+thought of. A change that no test catches, a mutant that is *alive*, is either
+a gap in the tests or no mistake at all: README.md says how to tell. The
+program ends with 1 if the suite fails without any change.
 
-Results are kept in build/mutants/: what has not changed since is not run
-again, and after a change of the tests each mutant is first shown to the test
-that noticed it before.
+Results are kept in build/mutants/: a mutant runs again only after a change,
+and after a change of the tests it first runs the test that caught it before.
 """
 
 import argparse
@@ -33,18 +32,18 @@ from tools.tree import BUILD, ROOT, Failure, stage_headers
 
 FOLDER = BUILD / "mutants"
 
-# How many times as much processor time as all tests of a run without a change,
-# and how many seconds at least, a test may take before it is said not to end.
+# A test that takes this many times the processor time of all tests of an
+# unchanged run, and at least this many seconds, counts as endless.
 TIMES_AS_LONG, AT_LEAST = 8, 2
 
-# The quickest tests, which together take this share of the suite's time, are
-# run first, then more of them, and the slow ones last.
+# The fastest tests, which together take this share of the suite's time, run
+# first, then more of them, and the slow ones last.
 SHARES = (0.05, 0.2, 0.5, 1)
 
 
 @dataclasses.dataclass
 class Outcome:
-    """What became of a mutant: killed (by a test of a kind) or alive, ..."""
+    """The outcome for a mutant: killed (by a test of a kind) or alive, ..."""
 
     key: str  # of the suite that was run
     state: str  # "killed", "alive" or "does not compile"
@@ -53,7 +52,7 @@ class Outcome:
 
 
 def include_options(suite):
-    """What libclang has to know of how the suite is compiled."""
+    """The options of the suite's compiler that libclang needs."""
     words = suite.compile
     first = next(place for place, word in enumerate(words) if word.startswith("-"))
     own = subprocess.run(
@@ -69,7 +68,7 @@ def include_options(suite):
 
 
 class Stage:
-    """A stage's mutants, and the program that has them all."""
+    """A stage's mutants, and the program that contains them all."""
 
     def __init__(self, number):
         self.number = number
@@ -213,12 +212,12 @@ class Stage:
 
 
 def filter_text(name):
-    """A test's name as a filter: there, a comma separates names."""
+    """A test's name as a filter, in which a comma would separate names."""
     return re.sub(r"[,\\]", "*", name)
 
 
 def run_stage(stage, jobs):
-    """All of a stage's mutants; what is alive is printed as it comes."""
+    """Runs all mutants of a stage; prints each that is alive at once."""
     program = stage.program()
     stage.check_unchanged(program)
     todo = [
@@ -238,7 +237,7 @@ def run_stage(stage, jobs):
 
 
 def report(stage):
-    """How many mutants became what, in a line, and each that is alive."""
+    """A line with the number of mutants of each outcome, and each that is alive."""
     counts, alive = collections.Counter(), []
     for number, mutant in stage.mutants.items():
         outcome = stage.outcome(number)

@@ -1,4 +1,4 @@
-"""All mutants of a header in one text, of which one is chosen at run time.
+"""All mutants of a header in one text; one of them is chosen at run time.
 
     (a - b)     becomes   (LIGHTWALK_MUTANT(7) ? (a + b) : (a - b))
     sum += x;   becomes   { if (LIGHTWALK_MUTANT(8)) { ; } else { sum += x; } }
@@ -6,7 +6,7 @@
 So a suite is compiled once, and each mutant costs one run of it. The
 environment variable LIGHTWALK_MUTANT has the number; 0, or nothing, is the
 header as it is. Numbers count from 1, and each stands at the beginning of a
-line, so that a compiler's error tells which mutant does not compile.
+line, so that a compiler error shows which mutant does not compile.
 """
 
 import re

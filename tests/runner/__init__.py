@@ -1,1 +1,1 @@
-"""Runs suites of doctest's: `python3 -m tests.runner PROGRAM [OPTION...]`."""
+"""Runs doctest suites: `python3 -m tests.runner PROGRAM [OPTION...]`."""

@@ -2,7 +2,7 @@
 
     python3 -m tests.runner PROGRAM [OPTION...]
 
-The options are doctest's: -tc="a floor*" runs the tests of such names.
+The options are doctest's: -tc="a floor*" runs the tests whose names match.
 """
 
 import argparse
@@ -17,13 +17,13 @@ def main():
         prog="tests.runner", description=__doc__.splitlines()[0], allow_abbrev=False
     )
     parser.add_argument("--seconds", type=float, help="of processor time, for each test")
-    parser.add_argument("--idle-seconds", type=float, default=watch.IDLE_SECONDS, help="without any motion")
+    parser.add_argument("--idle-seconds", type=float, default=watch.IDLE_SECONDS, help="without a running thread")
     parser.add_argument("program")
     chosen, options = parser.parse_known_args()
     for name in ("SIGTERM", "SIGHUP"):
-        number = getattr(signal, name, None)  # Windows has one of them
+        number = getattr(signal, name, None)  # Windows lacks one of them
         if number and signal.getsignal(number) != signal.SIG_IGN:  # nohup
-            # Leaves as at an error, so that the suite is ended.
+            # Exits as after an error, so that the suite is killed.
             signal.signal(number, lambda number, _: sys.exit(128 + number))
     limits = {"seconds": chosen.seconds, "idle_seconds": chosen.idle_seconds}
     try:

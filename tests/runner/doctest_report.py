@@ -1,4 +1,4 @@
-"""doctest's report in XML, read while it is being written.
+"""Reads doctest's XML report while doctest writes it.
 
 The reporter "suite" writes it: support/doctest.cpp.
 """
@@ -6,20 +6,20 @@ The reporter "suite" writes it: support/doctest.cpp.
 import dataclasses
 from xml.etree import ElementTree
 
-# So many of a test's failed checks are kept.
+# The number of a test's failed checks that are kept.
 MAX_CHECKS = 100
 
 
 @dataclasses.dataclass
 class Test:
-    """A test that was begun."""
+    """A test that has begun."""
 
     name: str
     suite: str
-    failed: list = dataclasses.field(default_factory=list)  # (what it says, place) of a check
+    failed: list = dataclasses.field(default_factory=list)  # (message, place) of a check
     failures: int = 0  # checks that failed
     ended: bool = False
-    seconds: float = 0  # where --duration is given
+    seconds: float = 0  # if --duration is given
 
     def fail(self, says, place=""):
         self.failures += 1
@@ -28,11 +28,11 @@ class Test:
 
 
 class DoctestReport:
-    """What a suite has said so far."""
+    """The report of a suite so far."""
 
     def __init__(self):
         self.tests, self.notes = [], []
-        self.steps = 0  # tests and subcases that were begun
+        self.steps = 0  # tests and subcases that have begun
         self.suite = ""
         self.threw = self.crashed = self.complete = False
         self.counted = -1  # tests, by doctest's own count at the end
@@ -50,14 +50,14 @@ class DoctestReport:
         return self.tests[-1].name if self.tests and not self.tests[-1].ended else None
 
     def feed(self, data):
-        # doctest spells out what XML has no room for, but for these two.
+        # doctest escapes the characters that XML forbids, except for these two.
         self.parser.feed(data.translate(None, b"\x0b\x0c"))
         try:
             for event, element in self.parser.read_events():
-                # After a crash doctest closes what is open, as if it had ended.
+                # After a crash doctest closes open elements as if they had ended.
                 if not self.crashed:
                     self.begin(element) if event == "start" else self.end(element)
-        except ElementTree.ParseError:  # two threads at a time; it is never complete
+        except ElementTree.ParseError:  # two threads wrote at once; the report is never complete
             self.parser = ElementTree.XMLPullParser(["start"])
 
     def begin(self, element):
@@ -80,11 +80,11 @@ class DoctestReport:
             self.message(test, element)
         elif element.tag == "Exception":
             self.crashed = element.get("crash") == "true"
-            # Of one in a subcase doctest says so first, and what it is later.
+            # For an exception in a subcase doctest first reports that, and later its text.
             self.threw = not self.crashed and not text.startswith("exception thrown in subcase")
             if self.threw:
                 test.fail(f"threw: {text}")
-        elif element.tag == "Info" and self.threw:  # noted before the exception
+        elif element.tag == "Info" and self.threw:  # INFO before the exception
             says, place = test.failed[-1]
             test.failed[-1] = f"{says}\n{text}", place
         elif element.tag == "OverallResultsAsserts" and test:
@@ -100,7 +100,7 @@ class DoctestReport:
 
     @staticmethod
     def place(element):
-        """The file as it is called in the tree, whose folders are known."""
+        """The file's path in the tree, and the line."""
         before, tests, after = element.get("filename", "").replace("\\", "/").rpartition("/tests/")
         return f"{tests[1:] or before}{after}:{element.get('line')}"
 

@@ -1,4 +1,4 @@
-"""A suite as a process of its own, which ends with everything that it starts."""
+"""Runs a suite as a separate process, and kills everything that it starts."""
 
 import contextlib
 import ctypes
@@ -13,18 +13,18 @@ from pathlib import Path
 
 from tests.runner import watch
 
-# So many bytes of the beginning, and as many of the end, of what a suite prints
+# Of a suite's output this many bytes of the beginning, and as many of the end,
 # are kept.
 MAX_PRINTED = 16_000
 CHUNK = 1 << 16
-# All processes that a suite starts have it in their environment.
+# All processes that a suite starts have this variable in their environment.
 MARK = "LIGHTWALK_SUITE"
 if sys.platform == "linux":
     prctl = ctypes.CDLL(None).prctl
 
 
 class Printed:
-    """The beginning and the end of what a suite prints."""
+    """The beginning and the end of a suite's output."""
 
     def __init__(self):
         self.first = self.last = b""
@@ -43,16 +43,16 @@ class Printed:
 
 
 def in_the_suite():
-    """What the suite does before it starts."""
+    """Runs in the new process before the suite starts."""
     import resource
 
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     if sys.platform == "linux":
-        prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG: it does not outlive this program
+        prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG: the suite does not outlive this program
 
 
 def kill_all(process, mark):
-    """Ends the suite and what it has started, also what has a session of its own."""
+    """Kills the suite and all that it has started, even in other sessions."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         os.killpg(process.pid, signal.SIGKILL)
     for path in Path("/proc").glob("[0-9]*/environ"):
@@ -62,7 +62,7 @@ def kill_all(process, mark):
 
 
 def listen(command, report, printed, limits, **options):
-    """Runs the suite to its end, or until it is to be stopped. Returns its exit
+    """Runs the suite to its end, or until a limit stops it. Returns its exit
     code, and why it was stopped."""
     mark = uuid.uuid4().hex
     reading, writing = os.pipe()
@@ -90,7 +90,7 @@ def listen(command, report, printed, limits, **options):
             pipes.register(end, selectors.EVENT_READ)
 
         def read(seconds):
-            """Some of what has been written; whether there was anything."""
+            """Reads some of the output; returns whether there was any."""
             ready = pipes.select(seconds)
             for key, _ in ready:
                 data = os.read(key.fd, CHUNK)
@@ -100,7 +100,7 @@ def listen(command, report, printed, limits, **options):
             return bool(ready)
 
         def steps():
-            # A pipe holds a CHUNK, and more may come all the time.
+            # A pipe holds a CHUNK, and more may arrive at any time.
             for _ in range(4):
                 if not read(0):
                     break
@@ -111,13 +111,13 @@ def listen(command, report, printed, limits, **options):
             while process.poll() is None and not stopped:
                 if pipes.get_map():
                     read(watch.PERIOD)
-                else:  # the suite has closed them, and is about to end
+                else:  # the suite has closed its pipes, and is about to end
                     with contextlib.suppress(subprocess.TimeoutExpired):
                         process.wait(watch.PERIOD)
                 stopped = watcher.look(steps)
             steps()
         finally:
-            # Somebody who holds a pipe is left.
+            # A process that holds a pipe is left.
             if process.poll() is None or pipes.get_map():
                 kill_all(process, mark)
     return process.returncode, stopped

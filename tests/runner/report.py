@@ -1,6 +1,6 @@
-"""What a student reads when tests fail: at most a screenful, and the most
-telling first. A test of one function says more than a scene with an exact
-answer, and that says more than two pictures that differ."""
+"""What a student reads when tests fail: at most a screenful, the most precise
+failure first. A test of one function says more than a scene with an exact
+solution, and that says more than two pictures that differ."""
 
 import re
 
@@ -19,8 +19,7 @@ def kind_of(test):
 
 
 def wrapped(text, indent="", most=8):
-    """The text in lines of at most WIDTH columns. What is beyond `most` lines is
-    left out."""
+    """The text in lines of at most WIDTH columns; leaves out all beyond `most` lines."""
     rows = []
     for line in text.splitlines():
         row = indent
@@ -66,8 +65,8 @@ def failures(tests):
 
 
 def last_words(outcome):
-    """The end of what a suite that was broken off has printed: as a rule a
-    library's assertion, or an exception that nobody caught."""
+    """The last lines that a suite printed before it was cut short: usually a
+    library's assertion, or an uncaught exception."""
     lines = [line.strip() for line in outcome.printed.splitlines() if line.strip()]
     # libstdc++ names the file, and the function with all its types.
     lines = [re.sub(r"^/\S*/(\S+:\d+): .*: (Assertion '.*)", r"\1: \2", line) for line in lines[-4:]]
@@ -75,19 +74,19 @@ def last_words(outcome):
 
 
 def came_first(outcome, tests):
-    """Whether a sharper test had failed before the run was broken off."""
+    """Whether a sharper test had failed before the run was cut short."""
     return bool(tests) and kind_of(tests[0]) < outcome.kind
 
 
 def fail(count, among=None):
-    """That so many tests fail; `among` is how many have run."""
+    """Says how many tests fail; `among` is how many have run."""
     tests = "test" if (among or count) == 1 else "tests"
     tests = f"of {among} {tests}" if among else tests
     return f"{count} {tests} " + ("fails" if count == 1 else "fail. Start with the first") + ":\n"
 
 
 def summary(outcome):
-    """All that a screen can take."""
+    """The report, at most a screenful."""
     tests, count = sharpest_first(outcome), len(outcome.tests)
     failed = failures(tests) if tests else ""
     if outcome.why and came_first(outcome, tests):
@@ -100,13 +99,13 @@ def summary(outcome):
     elif count:
         text = "1 test passes\n" if count == 1 else f"{count} tests pass\n"
     else:
-        text = "no test has such a name\n"
+        text = "no test has this name\n"
     text += "".join(wrapped(f"note: {note}", "", 2) for note in outcome.notes)
-    return text + (f"\nAll that they say: {outcome.program}\n" if tests else "")
+    return text + (f"\nThe full report: {outcome.program}\n" if tests else "")
 
 
 def first_failure(outcome):
-    """The same of one test: the first that fails, or that did not end."""
+    """The same for one test: the first that fails, or that did not end."""
     tests = sharpest_first(outcome)
     failed = described(tests[0]).strip("\n") + "\n" if tests else ""
     if not outcome.why:

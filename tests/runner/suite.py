@@ -1,9 +1,9 @@
-"""Runs a suite, which is a program of doctest's, and says what has happened.
+"""Runs a suite, which is a doctest program, and reports the outcome.
 
-The suite contains code that is being written. It may crash, hang, print for
-ever, or leave by std::exit(0) before the last test. So it is a process of its
-own, and passes only if it came to its end; of any other one this says in which
-test it ended.
+The suite contains code that is being written. It may crash, hang, print
+forever, or call std::exit(0) before the last test. So it is a separate process,
+and passes only if it reaches its end; otherwise the report names the test in
+which it ended.
 """
 
 import dataclasses
@@ -18,15 +18,15 @@ from tests.runner.report import KINDS, SCENES
 
 @dataclasses.dataclass
 class Outcome:
-    """What became of a run."""
+    """The outcome of a run."""
 
     program: str
     tests: list = dataclasses.field(default_factory=list)
     notes: list = dataclasses.field(default_factory=list)  # of tests that pass
-    printed: str = ""  # by the code that is tested
-    end: str = ""  # "time limit" or "crash", where it did not come to its end
+    printed: str = ""  # by the code under test
+    end: str = ""  # "time limit" or "crash", if it did not reach its end
     why: str = ""  # the same as a sentence about the test
-    kind: int = 0  # of the tests that did not come to their end
+    kind: int = 0  # of the tests that did not reach their end
 
     @property
     def passed(self):
@@ -41,37 +41,37 @@ class Outcome:
 def crash_in_words(number, printed):
     if number in (signal.SIGSEGV, signal.SIGBUS):
         return (
-            "it used memory that it does not have (an index out of range, a null pointer), "
-            "or its functions called each other without an end"
+            "it used invalid memory (an index out of range, a null pointer), "
+            "or its functions called each other endlessly"
         )
     if number == signal.SIGFPE:
         return "an integer was divided by zero"
     if number == signal.SIGABRT:
         above = "; the lines above may say which" if printed else ""
-        return f"std::abort: a failed assert, or an exception that nobody caught{above}"
+        return f"std::abort: a failed assert, or an uncaught exception{above}"
     return f"signal {signal.strsignal(number)}"
 
 
 def broken_off(report, code, stopped, printed, limits):
-    """Why a run is none that passes: "time limit" or "crash", and a sentence about
-    the test that it ended in. Empty where the suite came to its end."""
+    """Why a run does not pass: "time limit" or "crash", and a sentence about the
+    test in which it ended. Empty if the suite reached its end."""
     when = " after the last test\n" if report.done else " between two tests, or before the first\n"
     if report.running is not None:
         when = f' during the test\n"{report.running}"\n'
     seconds, idle_seconds = limits
     if stopped:
         why = (
-            f"which had computed for {seconds:g} seconds of processor time. A loop or a path without an end?"
+            f"which had used {seconds:g} seconds of processor time. An endless loop or path?"
             if stopped == "busy"
-            else f"in which nothing had moved for {idle_seconds:g} seconds. A lock that is never released?"
+            else f"in which no thread had run for {idle_seconds:g} seconds. A lock that is never released?"
         )
         return "time limit", f"The tests do not end: stopped{when}{why}"
     if code < 0:
         return "crash", f"The tests crashed{when}{crash_in_words(-code, printed)}"
     if not report.done:
         return "crash", (
-            f"The program left by std::exit or the like, exit code {code},{when}"
-            "so the tests did not come to their end, and have not passed."
+            f"The program called std::exit or the like, exit code {code},{when}"
+            "so the tests did not reach their end, and have not passed."
         )
     if code and not any(test.failed for test in report.tests):
         above = " The lines above may say why." if printed else ""
@@ -80,7 +80,7 @@ def broken_off(report, code, stopped, printed, limits):
 
 
 def run(program, *options, seconds=None, idle_seconds=watch.IDLE_SECONDS, environment=None):
-    """Runs a suite as one process, with these options of doctest's."""
+    """Runs a suite as one process, with these doctest options."""
     program = Path(program).absolute()
     limits = seconds or watch.seconds_for(program.parent), idle_seconds
     command = [program, *options, "-r=suite", "--no-skipped-summary"]
@@ -94,8 +94,8 @@ def run(program, *options, seconds=None, idle_seconds=watch.IDLE_SECONDS, enviro
 
 
 def run_by_kinds(program, *options, **others):
-    """The same, the sharpest tests first. Where these come to no end, the others
-    are not run."""
+    """The same, the sharpest tests first. If these do not reach their end, the
+    others are not run."""
     whole = Outcome(str(Path(program).absolute()))
     for kind, name in enumerate(KINDS):
         chosen = f"-ts={name}"

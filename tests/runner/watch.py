@@ -1,9 +1,9 @@
-"""When a process is stopped because it does not end.
+"""Stops processes that do not end.
 
-No limit here is one of the clock. A busy machine may take a hundred times as
-long as an idle one, and a right program must not look wrong for that. So a
-process is stopped when it has used too much processor time, or when nothing in
-it has moved for a long time though it could have.
+No limit here is a wall-clock time. A busy machine may take a hundred times as
+long as an idle one, and a right program must not fail for that. So a process is
+stopped when it has used too much processor time, or when none of its threads
+has run, or wanted to run, for a long time.
 """
 
 import os
@@ -14,8 +14,8 @@ import time
 from pathlib import Path
 
 # Seconds of processor time, of all threads together, for one test or one of its
-# subcases. It is an amount of work: the number of processors does not change
-# it. The longest right one takes 2.4 (core, on a slow machine).
+# subcases: an amount of work, whatever the number of processors. The longest
+# test of a right program takes 2.4 (core, on a slow machine).
 SECONDS = 20
 # Seconds in which no thread runs or wants to run: a lock that is never released.
 IDLE_SECONDS = 60
@@ -25,7 +25,7 @@ PERIOD = 0.1 if sys.platform == "linux" else 1.0
 
 
 def seconds_for(build):
-    """SECONDS, or ten times that where the build is ten times as slow."""
+    """SECONDS, or ten times that if the build is ten times as slow."""
     cache = Path(build) / "CMakeCache.txt"
     text = cache.read_text() if cache.exists() else ""
     slow = re.search(r"^(LIGHTWALK_SANITIZE:\w+=.|CMAKE_BUILD_TYPE:\w+=Debug$)", text, re.MULTILINE)
@@ -33,7 +33,7 @@ def seconds_for(build):
 
 
 def usage_by_proc(pid):
-    """As `usage`, on Linux."""
+    """`usage` on Linux."""
 
     def fields(path):
         return path.read_text().rpartition(")")[2].split()
@@ -43,7 +43,7 @@ def usage_by_proc(pid):
     seconds = sum(map(int, times)) / os.sysconf("SC_CLK_TCK")
     willing = False
     for task in folder.glob("task/*"):
-        # A thread that waits for a processor (R) or for a disk (D) would go on.
+        # A thread that runs or waits for a processor (R) or a disk (D) would go on.
         willing |= fields(task / "stat")[0] in "RD"
         children = task / "children"
         for child in children.read_text().split() if children.exists() else ():
@@ -53,7 +53,7 @@ def usage_by_proc(pid):
 
 
 def usage_by_ps(pid):
-    """As `usage`, by a program that every Unix has."""
+    """`usage` by a program that every Unix has."""
     said = subprocess.run(["ps", "-A", "-o", "pid=,ppid=,state=,time="], capture_output=True, text=True)
     rows = {pid: row for pid, *row in map(str.split, said.stdout.splitlines())}
     family = [str(pid)]
@@ -70,8 +70,8 @@ def usage_by_ps(pid):
 
 def usage(pid):
     """The processor time that a process and its children have used, and whether
-    they would use more if they got a processor. What cannot be seen, as after
-    its end, would."""
+    they would use more if they got a processor. (0, True) if that is unknown, as
+    after their end."""
     try:
         return (usage_by_proc if sys.platform == "linux" else usage_by_ps)(pid)
     except (OSError, ValueError, LookupError):
@@ -79,7 +79,7 @@ def usage(pid):
 
 
 class Watch:
-    """Looks at a process from time to time, and says when it is to be stopped."""
+    """Looks at a process from time to time, and says when to stop it."""
 
     def __init__(self, pid, seconds=SECONDS, idle_seconds=IDLE_SECONDS):
         self.pid = pid
@@ -88,9 +88,9 @@ class Watch:
         self.looked = time.monotonic()
 
     def look(self, step=lambda: 0):
-        """To be called at least once in a PERIOD. `step` counts the steps that are
-        done: each has all the seconds for itself. Returns why the process is to be
-        stopped: "" or "busy" or "idle"."""
+        """Call this at least once in a PERIOD. `step` counts the steps that are
+        done: each may take all the seconds. Returns why to stop the process:
+        "busy" or "idle", or "" to go on."""
         if time.monotonic() - self.looked < PERIOD:
             return ""
         used, willing = usage(self.pid)
@@ -99,7 +99,7 @@ class Watch:
             # The step may have begun after `used` was read.
             self.step, self.start, self.idle = now, usage(self.pid)[0], 0.0
             return ""
-        # A look is one PERIOD, however long ago the last one was: where the
+        # Each look counts as one PERIOD, however long ago the last one was: if the
         # machine has no time for looks, it has none for the process.
         self.looked = time.monotonic()
         self.idle = 0.0 if willing or used > self.last else self.idle + PERIOD
@@ -120,7 +120,7 @@ def go_on(watcher, process):
 
 
 def wait_until(process, condition, seconds=SECONDS):
-    """Returns when the condition is met, or the process has ended."""
+    """Returns when the condition holds, or the process has ended."""
     watcher = Watch(process.pid, seconds)
     while process.poll() is None and not condition():
         time.sleep(0.01)
@@ -128,7 +128,7 @@ def wait_until(process, condition, seconds=SECONDS):
 
 
 def communicate(process, text=None, seconds=SECONDS):
-    """As the process's own, which has limits by the clock only."""
+    """Like Popen.communicate, whose only limit is a wall-clock time."""
     watcher = Watch(process.pid, seconds)
     while True:
         try:
