@@ -77,7 +77,7 @@ std::string no_variance(const std::string& a_path, const RenderResult& a,
   };
   return "cannot compare: " + why(a_path, a) + "; " + why(b_path, b) +
          "; at least one of them must be an .exr or a .pfm of two samples or "
-         "more, or nobody can say what is noise";
+         "more, to know what is noise";
 }
 
 /// An image without variance is taken to be as noisy as the other: per sample

@@ -10,10 +10,10 @@
 
 namespace lightwalk {
 
-// A path tracer logs its vertices, not its decisions. They are inferred: what
-// was added at a vertex is the growth of the sum up to the next vertex, the
-// direction of the next ray tells the event, and its weight is the quotient of
-// the two throughputs.
+// A path tracer logs its vertices, not its decisions. These are inferred. What
+// was added at a vertex is the growth of the sum up to the next vertex. The
+// direction of the next ray tells the event, and the quotient of the two
+// throughputs is its weight.
 
 namespace {
 
@@ -131,7 +131,7 @@ std::string event_of(const PathVertex& vertex, const Vec3& wi) {
 
 /// Why the path ends at a lamp and adds nothing.
 std::string why_nothing(const PathVertex& lamp) {
-  return is_outside(lamp) ? "this lamp was counted at the vertex before"
+  return is_outside(lamp) ? "this lamp was counted at the previous vertex"
                           : "its back is black";
 }
 

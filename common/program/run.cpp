@@ -75,7 +75,8 @@ void with_path_tracer(Use use) {
                              std::string(error.what()));
   } catch (...) {
     throw std::runtime_error(
-        "error: the path tracer threw something that is no std::exception");
+        "error: the path tracer threw something that is not a "
+        "std::exception");
   }
 }
 
@@ -200,7 +201,7 @@ int tell_path(const Program& program, const PathTracerCalls& tracing,
         [&] { radiance = tracing.sample(loaded.scene, settings, which); });
   } catch (const Stopped&) {
     throw std::runtime_error(
-        "the sample follows more than 100,000 rays, too many to be told: try "
+        "the sample follows more than 100,000 rays, too many to print: try "
         "fewer --max-bounces");
   }
   std::printf("%s: pixel %d,%d, sample %u, seed %llu\n\n",

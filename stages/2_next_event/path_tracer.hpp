@@ -564,7 +564,7 @@ class PathTracer {
 //     vertex 2: rectangle[0] of 'lamp', bounce 2
 //     ...
 //       throughput (    0.64,     0.16,     0.16)
-//       adds       nothing: this lamp was counted at the vertex before
+//       adds       nothing: this lamp was counted at the previous vertex
 //       ends       at a lamp
 //     radiance of this sample = (0.0595667, 0.0134025, 0.0119133)
 //
