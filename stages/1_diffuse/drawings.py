@@ -129,8 +129,8 @@ def inversion():
 
 
 def lifted(x, y, r, sine, phi, tilt):
-    """Where a direction of a hemisphere of radius r is seen, from so many
-    degrees above its rim; 90 is from above."""
+    """The place on the page of a direction of a hemisphere of radius r, seen from
+    so many degrees above its rim; 90 is from above."""
     cosine, lift = math.sqrt(max(0, 1 - sine * sine)), math.radians(tilt)
     return x + r * sine * math.cos(phi), y + r * (
         sine * math.sin(phi) * math.sin(lift) - cosine * math.cos(lift)
@@ -225,7 +225,7 @@ def lamp_front():
 
 
 # What `build/stage1 scenes/cornell_box_ceiling_diffuse.toml --pixel 70,240
-# --sample 8` tells of its path: x and y of each vertex, and their throughputs.
+# --sample 8` prints of its path: x and y of each vertex, and their throughputs.
 VERTICES = ((-0.5066, -1.0), (-1.0, 0.0355), (0.8006, 1.0))
 
 

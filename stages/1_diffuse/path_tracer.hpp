@@ -456,7 +456,7 @@ inline Vec3 emitted(const Surface& surface) {
 // In this course a material either emits or scatters, and the core refuses a
 // scene where one does both. At a lamp $k_d = 0$, so the integral is 0.
 //
-// Here is a path of the program, told by the options `--pixel` and
+// Here is a path of the program, printed by the options `--pixel` and
 // `--sample`. It meets the white floor, the red wall, and then the ceiling,
 // which is the lamp and emits (1, 1, 1). The weights are (0.8, 0.8, 0.8) and
 // (0.8, 0.2, 0.2). Their product is what the path brings: light that has
@@ -507,7 +507,7 @@ inline Vec3 emitted(const Surface& surface) {
 // A *bounce* is one scattering at a surface. With `--max-bounces 0` the
 // picture shows the lamps alone. With 1 it also shows what they light
 // directly. Each further bounce adds light that was scattered once more.
-// Where nothing else is said, the bound is 8.
+// The default bound is 8.
 //
 // The bound makes the picture too dark, because longer paths are missing.
 // Such an error is a *bias*, and more samples do not remove it. With
@@ -544,7 +544,7 @@ inline Vec3 emitted(const Surface& surface) {
 // - `log_vertex(surface, throughput, Vec3(0), bounce)` tells `--pixel` where
 //   the path is, and changes nothing. Call it once at each surface, before
 //   anything is decided. Its third value is the light that was added before,
-//   here none yet. The program tells weights and emission by itself.
+//   here none yet. The program works out weights and emission by itself.
 //
 // Count the bounces from 0. After the test for a lamp the path ends if their
 // number *is* `max_bounces_`. So a lamp that the last bounce leads to still
@@ -604,7 +604,7 @@ class PathTracer {
 // it is found soon. A small lamp is found by few paths, and each of these
 // brings much: the picture is full of bright dots. Its mean is right, but
 // most of it is dark, since a dot cannot be shown brighter than white. Try
-// `scenes/cornell_box_sphere_lamp_diffuse.toml`. Stage 2 mends it.
+// `scenes/cornell_box_sphere_lamp_diffuse.toml`. Stage 2 fixes it.
 //
 // ![](small-lamp)
 //

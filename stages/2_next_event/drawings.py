@@ -94,9 +94,9 @@ def lamp_cone():
 
 @d.diagram("who-counts", 540, 150)
 def who_counts():
-    """The vertex before, what was hit, and which of the two counts."""
+    """The previous vertex, what was hit, and which of the two counts."""
     rows = (
-        ("the vertex before", "rectangle, sphere", "plane, triangle"),
+        ("previous vertex", "rectangle, sphere", "plane, triangle"),
         ("none: the camera", "the hit counts", "the hit counts"),
         ("it asked the lights", "the question counted", "the hit counts"),
     )
@@ -277,7 +277,7 @@ def difference(a, b):
 
 
 def verdict_on(a, b):
-    """What stage-diff says of two images."""
+    """The output of stage-diff for two images."""
     done = subprocess.run([BUILD / "stage-diff", "--json", a, b], check=False, capture_output=True, text=True)
     if done.returncode > 1:
         raise Failure(f"drawing 'stage-2-minus-1': {done.stderr.strip()}")
@@ -286,7 +286,7 @@ def verdict_on(a, b):
 
 @d.diagram("stage-2-minus-1", 520, 320)
 def stage_2_minus_1():
-    """Differences of two renders, and what stage-diff says of them."""
+    """Differences of two renders, and the output of stage-diff."""
     found = rendered(1, 1024, 1)
     for x, name, mistake in (
         (8, "stage 2 − stage 1", None),

@@ -6,8 +6,8 @@
 // that happen? The lamp of the box is a square of side 0.6 under the ceiling,
 // so its area is $A = 0.36$. The middle of the floor is $d = 1.99$ below it.
 // Seen from there, the lamp fills a solid angle of about $A/d^2$. Near the
-// normal, cosine sampling has the density $1/\pi$. The probability to hit the
-// lamp is this density times the solid angle:
+// normal, cosine sampling has the density $1/\pi$. The probability of hitting
+// the lamp is this density times the solid angle:
 //
 // $$\frac{1}{\pi} \cdot \frac{A}{d^2} = \frac{0.36}{\pi \cdot 1.99^2}
 // \approx 0.03$$
@@ -403,11 +403,11 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 // The path goes on in a random direction, and it still runs into emitters.
 // Should their emission be added? A *vertex* is a point where the path meets
 // a surface. The light must be counted exactly once: either by the question
-// at the vertex before, or by the hit. Two things decide.
+// at the previous vertex, or by the hit. Two things decide.
 //
-// *What happened at the vertex before?* If it asked the lights, it may have
+// *What happened at the previous vertex?* If it asked the lights, it may have
 // this light already. If the camera looks straight at the lamp, there was no
-// vertex before, and nobody has asked.
+// previous vertex, and no light was asked.
 //
 // *What was hit?* The scene's list of lights has its rectangles and spheres
 // that emit. These were asked. A plane that emits has no end, so no point on
@@ -423,10 +423,10 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 //
 // ![](counted)
 //
-// The fourth cell is the one that people forget. The vertex before asked the
-// lights, but it could not ask this emitter. If you think that it did, the
-// light counts in *neither* place. A room under a ceiling that shines is then
-// black.
+// The fourth cell is the one that people forget. The previous vertex asked
+// the lights, but it could not ask this emitter. If you think that it did,
+// the light counts in *neither* place. A room under a ceiling that shines is
+// then black.
 //
 // ![](counted-in-neither)
 //
@@ -435,8 +435,8 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 // lights.
 
 // #region counted-once
-/// Whether `direct_light`, added at the surface before, has this emission in
-/// it already.
+/// Whether `direct_light`, added at the previous surface, has this emission
+/// in it already.
 inline bool already_counted(const Surface& surface, bool direct_light_added) {
   // #region exercise 2.5: counted once
   // #stub return false;
@@ -466,7 +466,7 @@ inline bool already_counted(const Surface& surface, bool direct_light_added) {
 // each scene that stage 1 can read.
 //
 // Why a flag, and not just `bounce > 0`? In this program they are the same.
-// But the flag says the reason: what matters is whether the vertex before
+// But the flag says the reason: what matters is whether the previous vertex
 // asked the lights.
 
 // #region path
@@ -610,6 +610,6 @@ class PathTracer {
 // Carlo Methods for Light Transport Simulation*, 1997, chapter 9).
 //
 // There is a cost, too: one shadow ray for each light at each vertex. With a
-// thousand lights one would ask a few of them, chosen at random.
+// thousand lights a program would ask a few of them, chosen at random.
 
 }  // namespace lightwalk::stage2

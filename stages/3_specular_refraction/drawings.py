@@ -168,7 +168,7 @@ def tree_of_rays():
 
 @d.diagram("tree-counts", 520, 122)
 def tree_counts():
-    """The formula beside what the program counts."""
+    """The formula beside the program's counts."""
     bounds = (1, 2, 4, 6, 8, 10)
     counts = []
     for bound in bounds:
@@ -252,7 +252,7 @@ def refraction_lobe():
 
 @d.diagram("mirror", 280, 190)
 def mirror_of_the_slide():
-    """With wo as the course's slide has it: it points at the surface."""
+    """With wo as on the course's slide: it points at the surface."""
     x, y = 140, 170
     yield d.line(x - 115, y, x + 115, y, d.INK, 2.2)
     yield d.ray(x, y, 0, 140, d.INK)
@@ -287,7 +287,7 @@ def mirror_cone():
 
 @d.diagram("mirror-through", 440, 256)
 def mirror_through():
-    """A direction that points away, and what both formulas make of it."""
+    """A direction that points away, and the results of both formulas."""
     x, y, a, r = 200, 150, 50, 124
     yield from d.hatched(x - 180, y, x + 190, y)
     yield from d.arrow(x, y, x, y - 118, "n")

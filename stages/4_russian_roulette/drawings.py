@@ -24,7 +24,7 @@ def lot(x, width, height, name, label, fill, color):
 
 @d.diagram("mean-is-area", 520, 260)
 def mean_is_area():
-    """Two lots, drawn so that areas are means."""
+    """Two random choices, drawn so that areas are means."""
     for x, title, second, height, label in (
         (30, "A or B", "B", 75, "B / (1 − p)"),
         (295, "A or nothing", "", 0, "0"),

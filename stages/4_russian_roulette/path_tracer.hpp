@@ -5,7 +5,7 @@
 // Stage 3 follows every lobe at every hit. Its rays double with each bounce,
 // so the number of bounces must stay small. Then the picture is too dark.
 //
-// One idea mends both. Do not follow all lobes: draw one of them at random.
+// One idea fixes both. Do not follow all lobes: draw one of them at random.
 // And let "none of them" be one of the choices, so that paths end by
 // themselves.
 //
@@ -271,7 +271,7 @@ inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
 //
 // **The flag tells the event.** After a diffuse event `direct_light_added` is
 // true, since the shadow ray has brought this term already. After any other
-// event it is false, since nobody has asked for that term. If the flag is
+// event it is false, since no light was asked for that term. If the flag is
 // always true, lamps vanish from mirrors. If it is never true, the diffuse
 // light of lamps counts twice.
 //
@@ -418,7 +418,7 @@ class PathTracer {
 // time of a sample.
 //
 // The table's last column, the light that is cut, is no noise: more samples
-// do not mend it. Six bounces cut off 5 %. Without a bound stage 4 has all.
+// do not help. Six bounces cut off 5 %. Without a bound stage 4 has all.
 //
 // So one sample of the tree has little noise and costs much. At equal time
 // the noise decides:

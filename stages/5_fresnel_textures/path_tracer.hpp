@@ -33,7 +33,7 @@ using stage4::LobeChoice;
 // In stage 3 glass reflected a fixed fraction at every angle. The surface of
 // real glass reflects 4 % when you look straight at it, and everything at a
 // *grazing* angle, almost along the surface. One word in the scene file asks
-// for that (`eta` is 1.5 where nothing else is said):
+// for that (`eta` is 1.5 by default):
 //
 //     fixed   = { ks = 0.1, kt = 0.9 }
 //     fresnel = { ks = 1, kt = 1, fresnel = true }

@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   using namespace lightwalk;
   const std::string set = instruction_set;
   const std::string paths = std::to_string(stage6::paths_at_once);
-  // What a single path does, stage 5 tells: it takes the same way.
+  // Stage 5 follows and prints a single path: it takes the same way.
   return run<stage6::PathTracer, stage5::PathTracer>(
       argc, argv,
       {.name = "stage6",

@@ -19,7 +19,7 @@
 //
 // The name for this is *SIMD*: single instruction, multiple data. A graphics
 // card works in the same way, with 32 numbers and thousands of registers. So
-// what you learn here is how one has to think there, too.
+// what you learn here helps you there, too.
 //
 // This chapter has no exercises. It is for reading, with the loop of stage 5
 // beside it.
@@ -125,7 +125,7 @@ HWY_INLINE Vec3s reflect(const Vec3s& wo, const Vec3s& normal) {
 //
 // Refraction returned nothing where all light is reflected. A row cannot
 // return nothing. So `refract` always gives directions, and with them a mask
-// that says for whom they mean nothing. The early return of Fresnel's
+// of the lanes where they mean nothing. The early return of Fresnel's
 // equations becomes a `select` at the end.
 
 // #region refract
@@ -238,7 +238,7 @@ HWY_INLINE Vec3s emitted(const SceneRows& rows, const Surfaces& surface) {
 
 // ## An event for each path
 //
-// Each path draws an event. Three masks say who has drawn which. No lane is
+// Each path draws an event. Three masks say which path drew which. No lane is
 // set in two of them. A lane that was on and is set in none has lost its
 // path: the light was absorbed.
 
@@ -435,13 +435,14 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
 // too. The body of stage 5's loop becomes `step`. Lay the two side by side:
 // the comments are the same, and so is their order. `count_rays` was inside
 // the search, and what adds 1 to `bounce` was in the head of the loop.
-// `log_vertex` is missing: with `--pixel`, stage 5 follows the path and tells
-// it.
+// `log_vertex` is missing: with `--pixel`, stage 5 follows the path and
+// prints it.
 //
 // In stage 5 a path ended in four places, by four `return`s. Here there are
-// four lines in which `on` loses lanes: who meets nothing, who meets an
-// emitter, who has had all bounces, who draws no event. (In the last one, the
-// three masks have only lanes that were on.) `step` returns who is left.
+// four lines in which `on` loses lanes: those that meet nothing, meet an
+// emitter, have had all bounces, or draw no event. (In the last one, the
+// three masks have only lanes that were on.) `step` returns those that are
+// left.
 //
 // Rays of all lanes meet one shape, then all meet the next, and each lane
 // keeps the nearest (`rows/shape_table.hpp`). Lanes that are off come
@@ -548,7 +549,7 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 //
 // - In each lane the operations are those of stage 5, in its order. A
 //   compiler might turn `a * b + c` into one instruction that rounds only
-//   once. It is told not to.
+//   once. A compiler option forbids it.
 // - The random numbers depend on the sample, not on the lane, nor on what
 //   other paths have drawn (`common/math/random.hpp`).
 // - Samples end in another order than they begin. So each writes its radiance
@@ -602,7 +603,7 @@ inline void PathTracer::render_tile(const Tile& tile, Film& film,
     on = on | mask_of(begun);
     if (!any(on)) break;
 
-    // One step, and note what has come of the paths that end with it.
+    // One step, and store the radiance of the paths that end with it.
     const Mask going_on = step(path, on);
     for_each_lane(on & !going_on, [&](int lane) {
       radiance[sample_in[static_cast<std::size_t>(lane)]] = path.sum[lane];
@@ -615,7 +616,7 @@ inline void PathTracer::render_tile(const Tile& tile, Film& film,
 // #endregion render-tile
 
 // The other stages answer for a single ray. So does this one, with one lane
-// that is on. It is slow, and lets the other stages' tests ask it.
+// that is on. It is slow, and is there for the other stages' tests.
 
 // #region one-path
 inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {

@@ -28,7 +28,7 @@ class Column {
     numbers_[size] = number;
   }
 
-  /// What stands in each lane's line, 0 to size - 1.
+  /// The value in each lane's line, 0 to size - 1.
   HWY_INLINE Row<Number> at(const Ints& line) const {
     const RegisterTag<Number> tag;
     constexpr auto lanes = register_lanes<Number>;

@@ -165,7 +165,7 @@ struct Row {
   friend HWY_INLINE Row abs(const Row& a) {
     return LIGHTWALK_EACH(Row, hn::Abs(x...), a);
   }
-  /// The smaller of two numbers, neither of them not a number.
+  /// The smaller of two numbers, neither of them a NaN.
   friend HWY_INLINE Row min(const Row& a, const Row& b) {
     return LIGHTWALK_EACH(Row, hn::Min(x...), a, b);
   }

@@ -38,7 +38,7 @@ class SampleQueue {
     return taken_++;
   }
 
-  /// Adds what has come of all samples, in their order.
+  /// Adds the radiance of all samples, in their order.
   void add_to(Film& film, const Vec3* radiance) const {
     const Vec3* next = radiance;
     for (int row = tile_.top; row < tile_.bottom; ++row) {
@@ -73,7 +73,7 @@ class SampleQueue {
     sample_ = tile_.first;
     if (++column_ < tile_.right) return;
     column_ = tile_.left;
-    if (++row_ == tile_.bottom) row_ = tile_.top;  // nobody takes these
+    if (++row_ == tile_.bottom) row_ = tile_.top;  // these are not used
   }
 
   const Tile& tile_;
