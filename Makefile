@@ -11,7 +11,7 @@ export $(filter-out BUILD,$(typed))
 override BUILD := $(or $(BUILD),build)
 # Rules and recipes contain it.
 ifneq ($(words $(BUILD))$(strip $(foreach sign,; & | < > ( ) ` " ' $$ \,$(findstring $(sign),$(BUILD)))),1)
-  $(error BUILD='$(BUILD)': a folder's name without blanks and signs of the shell is expected)
+  $(error BUILD='$(BUILD)': a folder name without blanks and shell characters is expected)
 endif
 
 # Set CMAKE_ARGS to pass more to CMake, such as -DCMAKE_CXX_COMPILER=clang++.

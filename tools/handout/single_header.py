@@ -113,7 +113,7 @@ def example(stage):
 
 
 class Collected:
-    """Some headers of a tree and all that they include, each after those."""
+    """Some headers of a tree and all that they include, in the order of inclusion."""
 
     def __init__(self, root, names):
         self.root = root

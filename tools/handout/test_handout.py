@@ -1,5 +1,5 @@
-"""Handouts and `make check`, as far as nothing has to be compiled: `make
-handouts` does that."""
+"""Tests handouts and `make check` without compiling anything: `make handouts`
+does the rest."""
 
 import contextlib
 import io
