@@ -44,12 +44,13 @@ struct Bounds {
 // A hit is off by a few roundings, and flat shapes reach a little over their
 // edges, so boxes are a little larger than what they hold: on each side by
 // $2^{-18}$, or 64 roundings of $2^{-24}$, of the largest coordinate $m$. The
-// corners have two roundings. A flat shape of length $l$ at distance $d$
-// reaches $8 (l + d) / \cos\theta$ roundings over its edge, and $l$ is at
-// most $2m$ along an axis. So 64 suffice straight ahead ($\cos\theta = 1$) up
-// to $d = 5m$. For longer or slanted rays the number is chosen: a tree may
-// miss a hit beyond an edge. tests/fuzz/tree.cpp checks that a tree finds
-// every hit that lies within half of this margin.
+// corners have two roundings. A flat shape at distance $d$, with edges of
+// length $l$ at a right angle, reaches $8 (l + d) / \cos\theta$ roundings
+// over its edge, and $l$ is at most $2m$ along an axis. So 64 are enough
+// straight ahead ($\cos\theta = 1$) up to $d = 5m$. For all other rays and
+// edges the number is chosen: a tree may miss a hit beyond an edge.
+// tests/fuzz/tree.cpp checks that a tree finds every hit that lies within
+// half of this margin.
 
 inline Bounds widened(Bounds box) {
   const float more = 0x1p-18f * std::max(max_abs_component(box.low),

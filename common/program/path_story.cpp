@@ -10,7 +10,7 @@
 
 namespace lightwalk {
 
-// A path tracer logs vertices, not decisions. The decisions are inferred: what
+// A path tracer logs vertices, no decisions. Decisions are inferred: what
 // was added at a vertex is the growth of the sum up to the next vertex. The
 // direction of the next ray tells the event, and the quotient of the two
 // throughputs is its weight.
