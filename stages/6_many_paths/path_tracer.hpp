@@ -56,11 +56,11 @@ namespace lightwalk::stage6 {
 // each processor. `rows/row.hpp` gives them signs: `+`, `*`, `<`.
 //
 // Four words are for the compiler alone, and you may skip them. `HWY_INLINE`
-// and `LIGHTWALK_FLATTEN` put a function into its caller,
-// `LIGHTWALK_NOINLINE` keeps it out, and `HWY_ATTR` says for which
-// instructions it is compiled. `LIGHTWALK_ROWS` is defined where Highway is
-// installed and the processor has the instructions that rows need. Elsewhere
-// the end of this file makes stage 6 the same as stage 5.
+// puts a function into its caller, and `LIGHTWALK_NOINLINE` keeps it out.
+// `LIGHTWALK_FLATTEN` puts all that a function calls into it. `HWY_ATTR` says
+// for which instructions it is compiled. `LIGHTWALK_ROWS` is defined where
+// Highway is installed and the processor has the instructions that rows need.
+// Elsewhere the end of this file makes stage 6 the same as stage 5.
 
 // #region formulas
 HWY_INLINE Vec3s sample_uniform_hemisphere(const Vec3s& normal,
