@@ -1,9 +1,9 @@
-# The suites: one doctest program for the core, one for each stage. All that a
-# student's tree needs, too.
+# The suites: one doctest program for the core, one for each stage. A student's
+# tree needs all of this, too.
 
-# A stage's header alone is a target, stageN_header, which has the word on its
-# errors and warnings: all else that includes it does so by way of a file that
-# keeps them quiet.
+# A stage's header alone is a target, stageN_header, which reports its errors and
+# warnings. Everything else includes the header through a file that silences
+# its warnings.
 set(quiet_folder ${CMAKE_CURRENT_BINARY_DIR}/generated/quiet)
 file(GLOB stage_headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
      ${CMAKE_SOURCE_DIR}/stages/[1-9]_*/path_tracer.hpp)
@@ -20,7 +20,7 @@ foreach(header IN LISTS stage_headers)
        CONTENT "#pragma once\n#pragma GCC system_header\n#include \"${CMAKE_SOURCE_DIR}/${header}\"\n")
 endforeach()
 
-# doctest's own code and ours that reads scenes and images, compiled once.
+# doctest's code and the project's readers of scenes and images, compiled once.
 file(GLOB support CONFIGURE_DEPENDS support/*.cpp)
 list(FILTER support EXCLUDE REGEX "/main\\.cpp$")
 add_library(test_support OBJECT ${support})
@@ -33,8 +33,8 @@ target_compile_definitions(
   PUBLIC SCENES="${CMAKE_SOURCE_DIR}/scenes"
          GOLDENS="${CMAKE_CURRENT_SOURCE_DIR}/golden"
          $<$<CXX_COMPILER_ID:GNU>:_GLIBCXX_ASSERTIONS>)
-# Tests run for seconds, and are compiled again for each change of a stage.
-# What a compiler says about a stage it says once, of stageN_header.
+# Tests run for seconds, and each change of a stage compiles them again. Only
+# stageN_header shows the compiler's warnings about a stage.
 set(test_options)
 if(NOT MSVC)
   set(test_options $<$<CONFIG:Release>:-O1>)
@@ -46,24 +46,24 @@ target_compile_options(test_support PRIVATE ${test_options})
 add_library(test_main OBJECT support/main.cpp)
 target_link_libraries(test_main PUBLIC test_support)
 
-# Runs a suite, says how it ended, and stops a test that does not end. It is the
-# only one to stop it: by the clock, a busy machine is as slow as an endless loop.
+# Runs a suite, reports how it ended, and stops a test that does not end. CTest
+# has no time limit: a busy machine may be as slow as an endless loop.
 find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 set(run_suite ${Python3_EXECUTABLE} -B -m tests.runner)
 
-# GCC 12's search for leaks crashes over the thread's variables of libraries
-# that were loaded late, which it learns of by this interceptor.
+# GCC 12's leak detection crashes on thread-local variables of libraries that
+# were loaded late; it finds them through this interceptor.
 set(leak_options
     "ASAN_OPTIONS=intercept_tls_get_addr=0"
     "LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/leaks.supp:print_suppressions=0"
 )
 
-# add_suite(NAME): NAME_tests, from the folder NAME, and for a stage from what
-# every stage must do since one before it, or since this one. They are compiled as
-# one file, or a few where there are many, after a precompiled header of all
-# that they include and no stage changes: a third of the time. Each has a
-# namespace of its own, since each has helpers of the same names. What replaces
-# functions of the library has another name, and stays outside.
+# add_suite(NAME): NAME_tests, from the folder NAME, and for a stage also from
+# every_stage/, up to this stage. They are compiled as one file, or as a few if
+# there are many, after a precompiled header of all includes that no stage
+# changes: a third of the time. Each has its own namespace, since helpers have
+# the same names. Files that replace library functions have other names, and are
+# compiled alone.
 function(add_suite name)
   file(GLOB sources CONFIGURE_DEPENDS ${name}/test_*.cpp)
   file(GLOB others CONFIGURE_DEPENDS ${name}/*.cpp)

@@ -1,12 +1,11 @@
-"""Feeds the readers and the geometry with what nobody would write.
+"""Fuzzes the readers and the geometry with inputs that nobody would write.
 
-Each harness, tests/fuzz/NAME.cpp, is a program with libFuzzer: it changes
-inputs that it has, keeps those that reach new lines of ours, and ends where
-the program crashes, a sanitizer complains or what must hold does not. It
-starts from small seeds that are made here of the tree's scenes and pictures.
-What it learns stays in build/fuzz/corpus/, what it finds in
-build/fuzz/findings/. With a finding the program ends with 1, and says how to
-see it again.
+Each harness, tests/fuzz/NAME.cpp, is a program with libFuzzer: it mutates its
+inputs, keeps those that reach new lines of the project's code, and ends if the
+program crashes, a sanitizer complains or a check fails. It starts from small
+seeds, which this program makes from the tree's scenes and pictures. The corpus
+stays in build/fuzz/corpus/, the findings in build/fuzz/findings/. With a
+finding the program ends with 1, and says how to reproduce it.
 """
 
 import argparse
@@ -52,7 +51,7 @@ def seeds(name):
 
 
 def prepare(name):
-    """The folders of a harness: what it learns, and what it starts from."""
+    """The folders of a harness: its corpus, and its seeds."""
     corpus, start = FOLDER / "corpus" / name, FOLDER / "seeds" / name
     for folder in (corpus, start, FOLDER / "findings"):
         folder.mkdir(parents=True, exist_ok=True)
@@ -67,7 +66,7 @@ def last_number(pattern, text):
 
 
 def run(name, seconds, temporary):
-    """Runs a harness; returns a line about it, and what it has found or None."""
+    """Runs a harness; returns a line about it, and its finding or None."""
     max_bytes, *options = HARNESSES[name]
     program = FOLDER / f"fuzz_{name}"
     options += LIMITS

@@ -1,10 +1,10 @@
-"""Remakes the golden images of goldens.toml, or those that are named.
+"""Remakes the golden images of goldens.toml, or only the named ones.
 
     python3 -m tests.golden.make_goldens [--times 64] [stage4/plastic ...]
 
-Each is rendered by its stage with 64 times the samples of the tests, and a
-seed that no test uses, so that its own error hardly counts. The file is what
-every stage writes as .pfm (common/image/pfm.hpp): the mean, the variance of a
+Each stage renders its goldens with 64 times the samples of the tests, and a
+seed that no test uses, so that their own error hardly counts. The file is the
+.pfm that every stage writes (common/image/pfm.hpp): the mean, the variance of a
 sample, and what was rendered. No library is needed to read it.
 """
 

@@ -1,4 +1,4 @@
-"""Figures in README.md, CHANGELOG.md and chapter 6 are those of tools/bench/measured/, or counted here.
+"""Checks numbers in README.md, CHANGELOG.md and chapter 6 against tools/bench/measured/, or counts them.
 
 PYTHONPATH=. python3 tests/house/test_figures.py
 """
@@ -22,19 +22,19 @@ PROGRAMS = {"stage 5": "stage5, avx2", "stage 6, AVX2": "stage6, avx2", "stage 6
 
 
 def rows(text):
-    """The cells of a table's rows, its head first."""
+    """The cells of a table's rows, the head first."""
     lines = [line.strip("| \n").split("|") for line in text.split("\n") if line.startswith("|")]
     return [[cell.strip() for cell in cells] for cells in lines if not set(cells[0]) <= {"-"}]
 
 
 def section(text, title):
-    """What is under a title of Markdown or of a chapter's prose."""
+    """The text below a title of Markdown or of a chapter's prose."""
     text = re.sub(r"^// ?", "", text, flags=re.MULTILINE)
     return re.split(r"^## ", re.split(rf"^## {title}$", text, flags=re.MULTILINE)[1], flags=re.MULTILINE)[0]
 
 
 def peers():
-    """Seconds of the processor, and how many times as long Mitsuba takes, by box and program."""
+    """Seconds of processor time, and how many times as long Mitsuba takes, by box and program."""
     found = rows((MEASURED / "peers.md").read_text().lower().replace("avx-", "avx"))[1:]
     return {(box, name): (Decimal(cpu), Decimal(times.split(" ")[0])) for box, name, cpu, times, *_ in found}
 
@@ -49,8 +49,8 @@ def rate(benchmark):
 
 
 def differs(figure, measured):
-    """Whether a figure is not the measured number, rounded to as many digits. What is
-    measured has been rounded, too."""
+    """Whether a figure differs from the measured number, rounded to as many digits.
+    The measured number has been rounded, too."""
     digits = Decimal(1).scaleb(Decimal(figure).as_tuple().exponent)
     return abs(Decimal(figure) - measured) > digits * Decimal("0.51")
 
@@ -60,7 +60,7 @@ class Figures(unittest.TestCase):
         self.readme = (ROOT / "README.md").read_text()
 
     def find(self, pattern, text, name):
-        """The pattern's only place in a text."""
+        """The only match of the pattern in a text."""
         found = re.findall(pattern, " ".join(text.split()))
         self.assertEqual(len(found), 1, f"{name}: {pattern!r} is there {len(found)} times")
         return found[0]
@@ -158,7 +158,7 @@ class Figures(unittest.TestCase):
         listed = rows(section(self.readme, "The stages"))[1:]
         links = [f"{number}: {re.search(r'stages/.*hpp', chapter)[0]}" for number, chapter, _ in listed]
         headers = [header.relative_to(ROOT).as_posix() for header in stage_headers()]
-        # From the first on: a stage that is being written is not there yet.
+        # Counts from the first: a stage that is being written is not there yet.
         chapters = [f"{header[7]}: {header}" for header in headers[: len(links)]]
         self.assertEqual(links, chapters, "README.md, The stages")
         first, last = map(

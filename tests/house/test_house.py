@@ -1,6 +1,6 @@
-"""The house's arrows point one way, and its map shows all that there is.
+"""Includes and imports point one way, and the map of the core is complete.
 
-PYTHONPATH=. python3 tests/house/test_house.py    prints the arrows too
+PYTHONPATH=. python3 tests/house/test_house.py    prints these arrows too
 """
 
 import collections
@@ -19,7 +19,7 @@ PYTHON = re.compile(r"^from (\S+) import (\w+)|^import (\S+)", re.MULTILINE)
 
 
 def room(path):
-    """common/geometry, stages/3, tests: what the rules are about."""
+    """The unit of the rules: common/geometry, stages/3, tests."""
     first, *rest = path.relative_to(ROOT).parts
     if path.name == "drawings.py":
         return "drawings"
@@ -56,8 +56,8 @@ def arrows():
 
 def ranks():
     """A room may use those of a lower rank; the core's are in its map's order.
-    A chapter's drawings are what the tools draw: they use the tools, and no
-    line imports them back. tools/tree.py is what all Python stands on."""
+    A chapter's drawings use the tools, and nothing imports the drawings. All
+    Python uses tools/tree.py."""
     core = re.findall(r"^## (\w+)", (ROOT / "common/README.md").read_text(), re.MULTILINE)
     order = ["tree"] + [f"common/{name}" for name in core] + ["compare", "stages"]
     order += sorted({room(path) for path in tree.stage_headers()})
@@ -71,7 +71,7 @@ class House(unittest.TestCase):
         self.assertEqual(back, [])
 
     def test_headers_fit_on_pages(self):
-        """As CONTRIBUTING.md says: lines of a header, and columns of a line."""
+        """The limits of CONTRIBUTING.md: lines of a header, and columns of a line."""
         for path in [*ROOT.glob("common/*/*.hpp"), *ROOT.glob("stages/**/*.hpp")]:
             with self.subTest(path=str(path.relative_to(ROOT))):
                 lines = path.read_text().splitlines()
@@ -87,7 +87,7 @@ class House(unittest.TestCase):
             tree.listed_headers(header.parent)
 
     def assert_refused(self, change, name):
-        """The map is refused with this name after the change to a copy."""
+        """After this change to a copy, the map is refused with this name."""
         root = pathlib.Path(tempfile.mkdtemp(prefix="lightwalk-"))
         self.addCleanup(shutil.rmtree, root)
         shutil.copytree(ROOT / "common", root / "common")

@@ -1,4 +1,4 @@
-"""What the tree uses from outside, and the lists of it, say the same.
+"""What the tree uses from outside agrees with the lists of it.
 
 The lists are tools/setup/packages.txt for packages of the system,
 tools/setup/*.in for PyPI, tools/package.json for npm, and vcpkg.json.
@@ -17,7 +17,7 @@ from tools.tree import BUILD, ROOT
 
 TABLE = "tools/setup/packages.txt"
 COLUMNS = "purpose use debian homebrew msys2 vcpkg words optional".split()
-# Here a name is no use: the lists, what reads them, and what tells of them.
+# Names in these files are not uses: the lists, their readers, and texts about them.
 LISTS = (
     "tools/setup",
     "tools/package",
@@ -49,19 +49,19 @@ SYSTEM_HEADERS = set(
     """assert.h ctype.h errno.h float.h limits.h math.h signal.h stdarg.h stddef.h stdint.h stdio.h stdlib.h string.h time.h
     dirent.h dlfcn.h fcntl.h poll.h pthread.h unistd.h io.h windows.h immintrin.h""".split()
 )
-# What every system with a shell has, and what a shell does itself.
+# Programs of every system with a shell, and builtins of the shell.
 SHELL = set("cat cd cp date echo exit export mkdir printf rm sed set sh sleep step tee touch xargs".split())
 NODE_ITSELF = {"fs", "path"}
 CMAKE_ITSELF = {"Threads"}
-# How the tree says what it does not name.
+# Uses that the tree does not name directly.
 SAID = {"module:ensurepip": "-m venv", "library:LLVM": "libLLVM"}
 
 Row = collections.namedtuple("Row", ["line", *COLUMNS])
 
 
 def read_tree():
-    """The text of each file, by its path. What begins with a dot is left out,
-    but for what continuous integration and editors run, and so are builds."""
+    """The text of each file, by its path. Leaves out builds and names that begin
+    with a dot, except those that continuous integration and editors run."""
     files = {}
     for top in sorted(ROOT.iterdir()):
         if top == BUILD or re.match(r"build|\.(?!ci$|devcontainer$)", top.name):
@@ -84,13 +84,13 @@ def read_table(files):
 
 
 def names(rows, column):
-    """The packages of a column, each of alternatives by itself."""
+    """The packages of a column; each alternative is one."""
     cells = " ".join(getattr(row, column) for row in rows).replace("/", " ")
     return set(cells.split()) - {"-"}
 
 
 def python_uses(text, own):
-    """Modules that are imported, and programs that are started by name."""
+    """Modules that a file imports, and programs that it starts by name."""
     for node in ast.walk(ast.parse(text)):
         modules = []
         if isinstance(node, ast.Import):
@@ -114,7 +114,7 @@ def python_uses(text, own):
             first = node.args[1]
         elif not called.startswith("subprocess.") and called != "shutil.which":
             continue
-        # What has a slash was built here.
+        # Names with a slash were built here.
         if isinstance(first, ast.Constant) and "/" not in first.value and first.value not in SHELL:
             yield f"program:{first.value}"
 
@@ -182,7 +182,7 @@ def file_uses(path, text, own):
 
 
 def uses(files):
-    """What the tree uses, and the files where."""
+    """What the tree uses, and in which files."""
     own = {
         name
         for path in files
@@ -197,8 +197,8 @@ def uses(files):
 
 
 def answers(listed, use):
-    """Whether what is listed is what is used: headers by their folder, and
-    packages of npm by their scope."""
+    """Whether a listed name covers a use: headers match by their folder, npm
+    packages by their scope."""
     if listed == use:
         return True
     kind, _, name = use.partition(":")
@@ -209,7 +209,7 @@ def answers(listed, use):
 
 
 def listed_uses(files):
-    """What is in a list, and where it stands there."""
+    """The entries of a list, and their places in it."""
     listed = {}
     for row in read_table(files):
         for use in row.use.split():
@@ -256,13 +256,13 @@ def unused(files):
 
 @functools.cache
 def words_of(pattern, text):
-    """The words of all that matches: names of packages, or of purposes."""
+    """The words of all matches: names of packages, or of purposes."""
     found = " ".join(re.findall(pattern, text, re.MULTILINE)).replace("mingw-w64-ucrt-x86_64-", "")
     return [word for word in re.split(r"[\s{},]+", found) if word and not word.startswith("-")]
 
 
 def other_lists(files):
-    """What vcpkg.json, the Makefile and sentences say beside the table."""
+    """Complaints about vcpkg.json, the Makefile and sentences beside the table."""
     rows = read_table(files)
     for row in rows:
         place = f"{TABLE}:{row.line}: {row.words or row.use or row.purpose}"
@@ -315,7 +315,7 @@ class Packages(unittest.TestCase):
         self.assertEqual(complaints(self.files), [])
 
     def assert_complaint(self, expected, path, change):
-        """The tree with this change has one complaint, which says that."""
+        """After this change the tree has exactly one complaint, with this text."""
         found = complaints(self.files | {path: change(self.files.get(path, ""))})
         self.assertEqual(len(found), 1, found)
         self.assertIn(expected, found[0])

@@ -1,5 +1,5 @@
-"""tools/setup.sh on machines that are not there: its PATH has a shell's tools,
-and apt-get, brew, pacman and sudo that only write down what they are told."""
+"""tools/setup.sh on simulated machines: its PATH has a shell's tools, and fakes
+of apt-get, brew, pacman and sudo that only record their arguments."""
 
 import os
 import pathlib
@@ -43,7 +43,7 @@ class Setup(unittest.TestCase):
             (self.folder / "bin" / tool).symlink_to(shutil.which(tool))
 
     def add(self, name, then="exit 0"):
-        """A program of this name that writes down how it is called."""
+        """Makes a program of this name that records its calls."""
         program = self.folder / "bin" / name
         text = WRITES_DOWN.format(sh=shutil.which("sh"), name=name, folder=self.folder, then=then)
         program.write_text(text)
@@ -63,7 +63,7 @@ class Setup(unittest.TestCase):
         self.add("sudo", then)
 
     def setup(self, *arguments, **environment):
-        """Its exit code, what it says, and the commands that were run."""
+        """The exit code of setup.sh, its output, and the commands that it ran."""
         (self.folder / "log").write_text("")
         done = subprocess.run(
             [shutil.which("sh"), SETUP, *arguments],
@@ -78,7 +78,7 @@ class Setup(unittest.TestCase):
         return done.returncode, done.stderr, [line for line in ran if does.match(line)]
 
     def installs(self, *arguments, **environment):
-        """What apt-get is told to install, sorted."""
+        """The packages that apt-get should install, sorted."""
         code, said, ran = self.setup(*arguments, **environment)
         self.assertEqual(code, 0, said)
         if not ran:
@@ -147,7 +147,7 @@ class Setup(unittest.TestCase):
         sentence = "setup: please ask an administrator to run: apt-get install --no-install-recommends"
         self.debian(user=1000)
         self.assertEqual(self.setup("fuzz"), (1, f"{sentence} clang libclang-rt-dev\n", []))
-        self.sudo("exit 1")  # there, but not for this user
+        self.sudo("exit 1")  # installed, but not for this user
         self.assertEqual(self.setup("fuzz"), (1, f"{sentence} clang libclang-rt-dev\n", []))
         self.assertEqual(self.setup("fuzz", SETUP="no"), (0, "", []))
 
@@ -193,7 +193,7 @@ class Setup(unittest.TestCase):
         self.assertRegex(
             said, r"\nsetup: brew has no package of it; please install: jsonschema for Python .*\n$"
         )
-        self.add("python3")  # now that finds its modules
+        self.add("python3")  # now it finds its modules
         self.assertEqual(self.setup()[0], 0)
         self.assertEqual(self.setup("site")[2], ["brew install node"])
         self.break_program("brew")
@@ -219,7 +219,7 @@ class Setup(unittest.TestCase):
         for words in ("a C++20 compiler", "CMake 3.22 or newer", "GLM", "jsonschema for Python", "SETUP=no"):
             self.assertIn(words, said)
         self.assertRegex(said, r"\(and, for more, Ninja, .*OpenImageIO, .*Highway\)")
-        # With a compiler that finds each header, and programs and modules.
+        # With a compiler that finds each header, and with all programs and modules.
         for name in ("c++", "make", "git", "cmake", "python3"):
             self.add(name, "exit 0")
         self.assertEqual(self.setup()[:2], (0, ""))
@@ -231,7 +231,7 @@ class Setup(unittest.TestCase):
 
     def test_make_setup_that_only_prints_is_no_failure(self):
         self.debian()
-        # A PATH that has what make needs, but Debian's tools as they are here.
+        # A PATH with what make needs, and with fakes of Debian's tools.
         path = f"{self.folder / 'bin'}{os.pathsep}{os.environ['PATH']}"
         command = ["make", "-s", "--no-print-directory", f"BUILD={self.folder}/build"]
         environment = {"PATH": path, "SETUP": "print"}

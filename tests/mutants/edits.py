@@ -32,8 +32,8 @@ class Mutant:
 
 
 def parse(header, arguments):
-    """The syntax tree of a header. Throws where Clang does not understand it."""
-    # The plain lanes do without the compiler's own headers of intrinsics.
+    """The syntax tree of a header. Throws if Clang cannot parse it."""
+    # Plain lanes need no headers of intrinsics from the compiler.
     options = ["-x", "c++", "-DLIGHTWALK_PLAIN_LANES", "-Wno-pragma-once-outside-header", *arguments]
     unit = Index.create().parse(str(header), options)
     errors = [one for one in unit.diagnostics if one.severity >= 3]
@@ -64,7 +64,7 @@ WRAPPERS = (Kind.UNEXPOSED_EXPR, Kind.CALL_EXPR)
 
 
 def peel(cursor):
-    """Without the conversions and copies that nobody wrote."""
+    """The expression without implicit conversions and copies."""
     while cursor.kind in WRAPPERS:
         inner = [one for one in cursor.get_children() if one.kind.is_expression()]
         if len(inner) != 1 or span(inner[0]) != span(cursor):
@@ -94,7 +94,7 @@ COMPARISONS = {
     "!=": ("==",),
 }
 ASSIGNMENTS = {"+=": ("-=", "="), "-=": ("+=", "="), "*=": ("/=", "="), "/=": ("*=", "=")}
-SYMMETRIC = ("dot", "min", "max")  # whose arguments may change places
+SYMMETRIC = ("dot", "min", "max")  # whose arguments may be exchanged
 ENDS = (Kind.RETURN_STMT, Kind.CONTINUE_STMT, Kind.BREAK_STMT)
 
 
@@ -107,13 +107,13 @@ class Walk:
         self.mutants = []
         self.functions = []  # where each begins
         self.function = ""
-        self.scopes = [[]]  # (name, type) of what may be named, innermost last
+        self.scopes = [[]]  # (name, type) of the visible names, innermost last
         self.result = ""  # what the function returns
         self.by_reference = False  # whether it returns a reference
         self.last_return = ""
         self.loop_kind = ""  # of the loop around: "", "endless" or "ends"
 
-    # What is found is noted.
+    # Collecting mutants.
 
     def text(self, cursor):
         start, end = span(cursor)
@@ -131,7 +131,7 @@ class Walk:
             self.mutants.append(Mutant(edits, what, self.function))
 
     def factor(self, cursor):
-        """The text such that it may stand behind a sign or beside a `/`."""
+        """The text, in parentheses if a sign or `/` beside it needs them."""
         text = self.text(cursor)
         cursor = peel(cursor)
         binary = cursor.kind in (Kind.BINARY_OPERATOR, Kind.CONDITIONAL_OPERATOR) or self.operator(cursor)
@@ -208,7 +208,7 @@ class Walk:
             init = peel(inits[-1])
             start = self.text(init)
             if init.kind == Kind.CALL_EXPR and start.startswith((cursor.spelling + "(", "{")):
-                self.expression(init)  # `Vec3 sum(0);` has no expression but the 0
+                self.expression(init)  # the only expression of `Vec3 sum(0);` is the 0
                 return
             self.value(init, zero=init.kind != Kind.INIT_LIST_EXPR)
 
@@ -322,7 +322,7 @@ class Walk:
             self.add_statement(cursor, ";", "statement dropped")
         if self.loop_kind:
             for other in ("continue;", "break;", self.last_return):
-                # Nothing stands behind an endless loop.
+                # No code follows an endless loop.
                 if other != self.whole(cursor) and (other != "break;" or self.loop_kind == "ends"):
                     self.add_statement(cursor, other, "way of leaving exchanged")
         if value is None:
@@ -361,7 +361,7 @@ class Walk:
         self.expression(inner)
 
     def value(self, cursor, zero=False, replace=True):
-        """Where a value is used: initializers, arguments, what is returned."""
+        """A place where a value is used: initializer, argument, returned value."""
         cursor = peel(cursor)
         name = type_name(cursor)
         text = self.text(cursor)
@@ -616,7 +616,7 @@ def same_kind(one, other):
 
 
 def type_name_of(kind):
-    """As type_name, of a type."""
+    """type_name of a type."""
 
     class Typed:
         type = kind
@@ -639,14 +639,14 @@ def lines_around(source, start, end):
 
 
 def squeeze(text):
-    """On one line, without comments."""
+    """The text on one line, without comments."""
     text = re.sub(r"//.*", "", text)
     text = re.sub(r"\s+", " ", text).strip()
     return re.sub(r"([(\[]) | ([)\];,])", r"\1\2", text)
 
 
 def all_mutants(header, arguments):
-    """Every mutant of a stage's header, each changed text once; and where its functions begin."""
+    """Every mutant of a stage's header, each changed text once; and the starts of its functions."""
     source = header.read_bytes()
     walk = Walk(header, source)
     walk.declarations(parse(header, arguments).cursor)

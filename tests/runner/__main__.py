@@ -17,7 +17,7 @@ def main():
         prog="tests.runner", description=__doc__.splitlines()[0], allow_abbrev=False
     )
     parser.add_argument("--seconds", type=float, help="of processor time, for each test")
-    parser.add_argument("--idle-seconds", type=float, default=watch.IDLE_SECONDS, help="without a running thread")
+    parser.add_argument("--idle-seconds", type=float, default=watch.IDLE_SECONDS, help="with idle threads")
     parser.add_argument("program")
     chosen, options = parser.parse_known_args()
     for name in ("SIGTERM", "SIGHUP"):

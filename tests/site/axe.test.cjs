@@ -1,5 +1,5 @@
-// What axe calls serious or critical is on no page of the book and on no slide,
-// in light and in dark, on a phone and on a wide screen.
+// axe finds nothing serious or critical on any page of the book or any slide, in
+// light and in dark, on a phone and on a wide screen.
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const { after, before, test } = require("node:test");
@@ -8,8 +8,8 @@ const { build, files, launch, url, watched } = require("./browser.cjs");
 const axe = fs.readFileSync(`${build}/node/node_modules/axe-core/axe.min.js`, "utf8");
 const widths = [390, 1600];
 const themes = ["light", "dark"];
-// The first view has every rule. A theme changes colors and which of a drawing's
-// two pictures is seen, a width changes colors and what is too wide.
+// The first view checks every rule. A theme changes colors and which of a
+// drawing's two pictures is visible, a width changes colors and what is too wide.
 const colors = ["color-contrast", "link-in-text-block"];
 const rules = {
   "light 390": null,
@@ -69,7 +69,7 @@ async function serious({ only, known, colors }) {
     if (!ways.has(way)) chosen.add(element);
     ways.add(way);
   }
-  // Where all colors are known, there may be nothing to ask.
+  // If all colors are known, there may be nothing to check.
   if (only && !chosen.size) only = only.filter((id) => !colors.includes(id));
   if (only && !only.length) return { wrong: [], known };
   window.axesOwn ??= Object.fromEntries(axe._audit.rules.map(({ id, matches }) => [id, matches]));
@@ -130,7 +130,7 @@ test("axe finds nothing serious on any slide", async () => {
   for (const name of files("slides", ".html").filter((one) => /\/\d_/.test(one))) {
     await open(page, name);
     wrong.push(...await audit(page, `${name}, on the screen`, "screen", known));
-    // On paper all slides are seen, and what comes with a step, too.
+    // On paper all slides are visible, with all their steps.
     await page.$$eval("[data-marpit-svg]", (all) => all.forEach((slide) => slide.removeAttribute("aria-hidden")));
     wrong.push(...await audit(page, `${name}, all slides`, "print", known));
   }

@@ -1,4 +1,4 @@
-// The book, as its readers meet it.
+// The book as its readers use it.
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const { after, before, test } = require("node:test");
@@ -21,7 +21,7 @@ async function onEveryPage(options, check) {
   await page.close();
 }
 
-test("every page is whole, complains of nothing, asks nobody", () =>
+test("every page is complete, without complaints or requests to other servers", () =>
   onEveryPage({}, async (page, name) => {
     assert.deepEqual(page.complaints, [], name);
     assert.deepEqual(page.requests, [], name);
@@ -41,7 +41,7 @@ test("every page is whole, complains of nothing, asks nobody", () =>
     assert.equal(found.missing, 0, `${name}: missing pictures`);
   }));
 
-test("the search finds words of prose and of code, and asks nobody", async () => {
+test("the search finds words of prose and of code, without requests to other servers", async () => {
   const page = await watched(browser);
   const find = async (words) => {
     await page.goto(url("book/index.html"));
@@ -176,7 +176,7 @@ test("labels of drawings stand out 4.5 to 1 from what they stand on", async () =
         return 0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05;
       };
       const parts = (color) => color.match(/[\d.]+/g).map(Number);
-      // What is filled below the label's middle, in the order of drawing.
+      // The filled shapes below the label's middle, in the order of drawing.
       const shapes = [...document.querySelectorAll("rect, circle, ellipse, polygon, path, text")];
       const under = (label, { x, y, width, height }) => {
         const middle = new DOMPoint(x + width / 2, y + height / 2);
@@ -248,7 +248,7 @@ test("on a phone no page is wider than the screen", () =>
       () => document.documentElement.scrollWidth
     );
     assert.ok(width <= phone.width, `${name} is ${width} wide`);
-    // Nor does anything stick out that cannot be scrolled to.
+    // Nothing sticks out that one cannot scroll to.
     const cut = await page.evaluate((edge) => {
       const scrolled = (e) => e.closest("pre, .table-wrapper, .math-wrapper, svg, mjx-assistive-mml, .lab-path");
       return [...document.querySelectorAll("article *")]

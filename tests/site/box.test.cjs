@@ -1,4 +1,4 @@
-// The lab's box in the page: what it offers, and that its bits are those of the
+// The lab's box in the page: its controls, and that its bits are those of the
 // native programs.
 const assert = require("node:assert/strict");
 const { execFileSync } = require("node:child_process");
@@ -85,7 +85,7 @@ test("the ball makes no light", { skip: noBox }, async () => {
   await page.close();
   const glass = await openedBox("5_fresnel_textures", "fresnel-or-fixed");
   await glass.until(1);
-  await glass.figure.getByRole("checkbox", { name: "Fresnel" }).uncheck(); // ks = kt = 1 then are too much
+  await glass.figure.getByRole("checkbox", { name: "Fresnel" }).uncheck(); // or ks = kt = 1 is too much
   assert.equal(await glass.figure.getByLabel("ks").inputValue(), "0.5");
   assert.equal(await glass.figure.getByLabel("kt").inputValue(), "0.5");
   await glass.page.close();
@@ -116,7 +116,7 @@ test("a pixel tells its path as --pixel does", { skip: noBox }, async () => {
 /** A .pfm's numbers, row by row from the top. */
 function pixels(file, size) {
   const bytes = fs.readFileSync(file);
-  const floats = bytes.subarray(`PF\n${size} ${size}\n-1.0\n`.length); // behind them is the variance
+  const floats = bytes.subarray(`PF\n${size} ${size}\n-1.0\n`.length); // the variance follows them
   const at = (row, i) => floats.readFloatLE(4 * (3 * size * (size - 1 - row) + i));
   return Array.from({ length: 3 * size * size }, (_, i) => at(Math.floor(i / (3 * size)), i % (3 * size)));
 }

@@ -1,5 +1,5 @@
 // What the tests of the book and the slides share: Chromium, and pages that
-// remember what they asked for and what they complained about.
+// record their requests and complaints.
 const fs = require("node:fs");
 const path = require("node:path");
 const { pathToFileURL } = require("node:url");

@@ -1,5 +1,5 @@
-// Figures that live: what they say is what the formulas say, by pointer and by
-// keyboard, and without scripts the still picture is there.
+// Live figures: they show the values of the formulas, by pointer and by keyboard,
+// and without scripts the still picture is there.
 const assert = require("node:assert/strict");
 const { after, before, test } = require("node:test");
 const { launch, url, watched } = require("./browser.cjs");
@@ -23,7 +23,7 @@ async function figure(name) {
   const live = page.locator(`.figure.live-${name} .live`);
   const slider = (label) => live.locator(".live-controls").getByLabel(label);
   const says = () => live.locator(".live-says").innerText();
-  // In the middle of the window, where no click is in the way of the page's head or of a smooth scroll.
+  // In the middle of the window, where neither the page's head nor a smooth scroll catches the click.
   await live.evaluate((element) => element.scrollIntoView({ block: "center", behavior: "instant" }));
   return { page, live, slider, says };
 }

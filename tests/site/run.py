@@ -2,8 +2,8 @@
 
     python3 -m tests.site.run [-j JOBS] [FILE...]
 
-What stops a build is tested by Python on copies of the sources, what was built
-by node in a browser; several files at a time. A file that passes is one line.
+Python tests on copies of the sources what stops a build; node tests in a browser
+what was built. Several files run at a time. A file that passes prints one line.
 """
 
 import argparse
@@ -20,7 +20,7 @@ FILES = ("tests/site/test_*.py", "tools/book/test_*.py", "tests/site/*.test.cjs"
 
 
 def run(path):
-    """What the file's tests print, and the exit code."""
+    """The output of the file's tests, and the exit code."""
     python = [sys.executable, "-m", "tests.scripts", path]
     command = python if path.suffix == ".py" else ["node", "--test", "--test-reporter=tap", path]
     done = subprocess.run(
@@ -39,7 +39,7 @@ def main():
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count())
     parser.add_argument("files", nargs="*", type=Path)
     options = parser.parse_args()
-    # Those that take longest, in a browser, first.
+    # The slowest first: those in a browser.
     files = options.files or [path for pattern in reversed(FILES) for path in sorted(ROOT.glob(pattern))]
     tally, broken = Tally(), 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
@@ -51,7 +51,7 @@ def main():
             if code in (0, 77) and not one.failed:
                 print(f"{name}: {one.passed} passed", flush=True)
                 continue
-            broken += not one.failed  # it has not come to its last line
+            broken += not one.failed  # it did not reach its last line
             print(f"{name}: exit code {code}\n{text}", flush=True)
     return tally.close("book", broken=broken)
 

@@ -1,4 +1,4 @@
-// The slides, as a lecture hall meets them.
+// The slides as a lecture hall sees them.
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const zlib = require("node:zlib");

@@ -1,5 +1,5 @@
-"""The book and the slides are not built with a mistake in them: each one is
-put into a copy of the sources, and the build must say it in one line."""
+"""The book and the slides are not built with a mistake in them: each test puts one
+into a copy of the sources, and the build must report it in one line."""
 
 import os
 import pathlib
@@ -29,14 +29,14 @@ STAGE3 = "stages/3_specular_refraction/path_tracer.hpp"
 
 
 class Copy(unittest.TestCase):
-    """A test that has the sources to itself, and the programs and figures of
+    """A test with its own copy of the sources, and the programs and figures of
     the real build."""
 
     def setUp(self):
         self.root = pathlib.Path(tempfile.mkdtemp(prefix="lightwalk-site-"))
         self.addCleanup(shutil.rmtree, self.root)
         for folder in SOURCES:
-            # With what Python has compiled: or each test would compile all tools.
+            # With Python's compiled files: otherwise each test would compile all tools.
             shutil.copytree(ROOT / folder, self.root / folder)
         self.build = self.root / "build"
         self.build.mkdir()
@@ -51,7 +51,7 @@ class Copy(unittest.TestCase):
             (self.build / made).symlink_to((BUILD / made).resolve())
 
     def change(self, path, old, new):
-        """Replaces a text that must be there once."""
+        """Replaces a text that must occur exactly once."""
         text = (self.root / path).read_text()
         self.assertEqual(text.count(old), 1, f"'{old}' in {path}")
         (self.root / path).write_text(text.replace(old, new))

@@ -1,4 +1,4 @@
-"""What the book refuses, but for exercises and transcripts: see sources_copy.py."""
+"""What the book refuses, except in exercises and transcripts: see sources_copy.py."""
 
 import re
 
@@ -106,7 +106,7 @@ class Mistaken(Copy):
         self.assert_refused("book", "lamp-mistakes: equalize gives each panel an exposure of its own")
 
     def test_the_command_of_the_book_renders_the_figure(self):
-        """And the mistake is in the picture: without A it is another one."""
+        """And the picture shows the mistake: without A it differs."""
         self.assertEqual(self.run_tool("book.build", "--check").returncode, 0)
         page = (self.build / "book-source/stages/2_next_event.md").read_text()
         self.assertIn("python3 -m tools.weave.mistaken 2/rectangle-without-area scenes/", page)

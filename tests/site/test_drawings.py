@@ -1,4 +1,4 @@
-"""Drawings, and that pages ask nobody: see sources_copy.py."""
+"""Drawings, and that pages request nothing: see sources_copy.py."""
 
 import subprocess
 import sys
@@ -8,7 +8,7 @@ from tests.site.sources_copy import Copy
 
 
 class Drawings(Copy):
-    """What is drawn, for light pages and dark ones."""
+    """Drawings for light and dark pages."""
 
     def draw(self, body):
         """Adds a drawing of these lines to the copy, and draws it."""
@@ -74,7 +74,7 @@ class Drawings(Copy):
 
 
 class Offline(Copy):
-    """The pages ask nobody for anything; links are no requests."""
+    """The pages request nothing from other servers; links are no requests."""
 
     def check(self, name, text):
         pages = self.root / "pages"

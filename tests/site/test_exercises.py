@@ -34,7 +34,7 @@ class Exercises(Copy):
         slide = (self.build / "slides-source/3_specular_refraction.md").read_text()
         for text in (page, slide):
             self.assertNotRegex(text, r"#region|#stub|#endregion|return normal;")
-        # The number of the line is the header's, marks included.
+        # The line number is that in the header, marks included.
         header = (self.root / STAGE3).read_text()
         line = header[: header.index("return 2 * dot(wo")].count("\n") + 1
         self.assertIn(f":lineno-start: {line}\n  return 2 * dot(wo", page)
@@ -45,7 +45,7 @@ class Exercises(Copy):
         self.assertLess(task, code)
 
     def test_a_mark_changes_nothing_beside_the_next_stage(self):
-        """A region that a later stage repeats without marks is as it was."""
+        """A region that a later stage repeats without marks counts as unchanged."""
         name = "stages/4_russian_roulette/path_tracer.hpp"
         region = "// #region reflect\nint x = 1;\n// #endregion reflect\n"
         self.change(name, "// #region lobe-probabilities\n", region + "\n// #region lobe-probabilities\n")

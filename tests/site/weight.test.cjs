@@ -1,5 +1,5 @@
-// What a page needs before its first words are there is small, and so are the
-// figures that live. Times depend on the machine: they are printed, not tested.
+// A page loads little before it shows its first words, and live figures are small.
+// Times depend on the machine: the test prints them, but does not check them.
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const { after, before, test } = require("node:test");
@@ -33,7 +33,7 @@ const firstWords = () => new Promise((done) => new PerformanceObserver((list) =>
   for (const { name, startTime } of list.getEntries()) if (name === "first-contentful-paint") done(startTime);
 }).observe({ type: "paint", buffered: true }));
 
-test("what the first words of a page wait for is small", async (context) => {
+test("a page loads little before it shows its first words", async (context) => {
   const page = await watched(browser, { viewport: { width: 1600, height: 900 } });
   const times = [], most = {};
   let asked;
@@ -64,7 +64,7 @@ test("what the first words of a page wait for is small", async (context) => {
     `half of the pages within ${Math.round(times[times.length >> 1][0])} ms`);
 });
 
-test("what makes figures live is under a megabyte together", (context) => {
+test("the files of live figures are under a megabyte together", (context) => {
   const found = ["live.js", "live.css", "lab.js", "lab.css", "lab-module.js"]
     .map((name) => `${build}/book/_static/${name}`).filter(fs.existsSync)
     .map((name) => [fs.statSync(name).size, name.split("/").pop()]);

@@ -1,7 +1,7 @@
-"""Programs for Windows, made by mingw-w64 and run under wine: `make test-windows`.
+"""Programs for Windows, built with mingw-w64 and run under wine: `make test-windows`.
 
-Each stage paints its box in every format, and the picture is compared with the
-native program's; then each stage's suite runs. Takes minutes.
+Each stage renders its box in every format, and the test compares the picture
+with that of the native program; then each stage's suite runs. Takes minutes.
 """
 
 import array
@@ -20,7 +20,7 @@ from tools.tree import BUILD, ROOT, stage_headers
 WINDOWS = BUILD / "windows"
 STAGES = [int(header.parent.name[0]) for header in stage_headers()]
 SUITES = ["core", *(f"stage{stage}" for stage in STAGES)]
-# Boxes as far as a stage can render them.
+# The box that each stage can render.
 SCENES = {1: "cornell_box_ceiling_diffuse", 2: "cornell_box_point_diffuse"}
 
 
@@ -29,7 +29,7 @@ def pixels(path):
     kind, size, scale, rest = path.read_bytes().split(b"\n", 3)
     assert (kind, float(scale)) == (b"PF", -1.0), (kind, scale)
     width, height = map(int, size.split())
-    return array.array("f", rest[: 12 * width * height])  # behind the mean is the variance
+    return array.array("f", rest[: 12 * width * height])  # the variance follows the mean
 
 
 class Windows(unittest.TestCase):
@@ -41,7 +41,7 @@ class Windows(unittest.TestCase):
         cls.place = {"cwd": cls.folder, "env": environment}
         cls.native = run_command([BUILD / "stage6", "--version"]).stdout
         cls.rows = "paths at once" in cls.native
-        # The first program waits for wine to set itself up.
+        # The first program has to wait until wine has set itself up.
         subprocess.run([wine_program(), WINDOWS / "stage1.exe", "--version"], check=True, **cls.place)
 
     @classmethod
@@ -75,8 +75,8 @@ class Windows(unittest.TestCase):
                 self.compare(stage, pixels(native), pixels(self.folder / f"{stage}.pfm"))
 
     def compare(self, stage, expected, seen):
-        """The libraries of mathematics differ in the last bit of some functions, and a path
-        may turn off there: then a pixel differs by all that the path brings."""
+        """The math libraries differ in the last bit of some functions, and a path may
+        take another turn there: then a pixel differs by the path's whole radiance."""
         self.assertEqual(len(expected), len(seen))
         differ = sum(a != b for a, b in zip(expected, seen))
         apart = sum(abs(a - b) > 1e-5 * (1 + abs(a)) for a, b in zip(expected, seen))
@@ -85,7 +85,7 @@ class Windows(unittest.TestCase):
 
     def test_what_the_build_lacks_is_listed_with_the_command_that_gets_it(self):
         lines = (WINDOWS / "left_out.txt").read_text().splitlines()
-        self.assertGreater(len(lines), 0)  # Google Benchmark is not there for Windows
+        self.assertGreater(len(lines), 0)  # there is no Google Benchmark for Windows
         for line in lines:
             self.assertRegex(line, r"^[a-z-]+: .+ \(.+; tools/setup\.sh[ a-z]*\)$")
 
@@ -122,8 +122,8 @@ class Windows(unittest.TestCase):
         )
 
     def test_a_report_has_the_processor_time(self):
-        """Four threads of two programs share a processor. So more time passes than they work,
-        and a clock in place of the processor time is more than the system has counted."""
+        """Four threads of two programs share a processor. So wall-clock time passes faster than
+        processor time, and a report of the clock would exceed what the system has counted."""
         scene = ROOT / "scenes/cornell_box_ceiling_diffuse.toml"
         options = [scene, "--size", "64x64", "--spp", "512", "--threads", "2", "--quiet"]
         processors = os.sched_getaffinity(0)
@@ -145,7 +145,7 @@ class Windows(unittest.TestCase):
                 f"cpu_seconds {report['cpu_seconds']:.2f}, by the system {counted:.2f}, in all of "
                 f"{report['seconds']:.2f} s"
             )
-            # Times are counted in hundredths of a second; a half is for the start.
+            # The system counts times in hundredths of a second; half a second is for the start.
             self.assertLess(report["cpu_seconds"], counted + 0.1)
             self.assertGreater(report["cpu_seconds"], counted / 2)
             self.assertLess(report["cpu_seconds"], report["threads"] * report["seconds"] + 0.1)
@@ -156,7 +156,7 @@ class Windows(unittest.TestCase):
                 done = self.run_windows(f"{suite}_tests")
                 print(f"{suite}: {done.stdout.strip().splitlines()[-3:]}")
                 self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-                # Those of rows are skipped where a program follows one path at a time.
+                # Tests of rows are skipped if the program follows one path at a time.
                 skipped = "0" if self.rows else r"\d+"
                 summary = rf"test cases: *([1-9]\d*) \| *\1 passed \| 0 failed \| {skipped} skipped"
                 self.assertRegex(done.stdout, summary)

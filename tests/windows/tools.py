@@ -1,4 +1,4 @@
-"""Are the compiler for Windows and wine there? Exit code 1 and a line if not."""
+"""Checks that the compiler for Windows and wine are installed. Exit code 1 and a line if not."""
 
 import shutil
 import sys
