@@ -1,12 +1,12 @@
-"""Scenes that are broken in one place each, and what is said about them."""
+"""Scenes that are broken in one place each, and the expected messages."""
 
 import dataclasses
 
-# What the schema makes of a broken scene.
+# The schema's verdict on a broken scene.
 REFUSES = "refuses"
 CANNOT_SEE = "cannot see"  # sums of values, names elsewhere, a stage's limits
 DEPENDS = "says one or the other"  # with the version of the validator
-NOT_ASKED = "is never asked"  # no TOML, or too long for Python's reader
+NOT_ASKED = "is never asked"  # not TOML, or too long for Python's reader
 
 GOOD = """\
 [camera]
@@ -61,8 +61,8 @@ intensity = 1
 class Broken:
     name: str
     scene: str | bytes
-    # Behind "stage1: scene.toml:". "..." leaves the end open, and "COLUMN" may
-    # be any.
+    # Follows "stage1: scene.toml:". "..." leaves the end open, and "COLUMN" stands
+    # for any column.
     message: str
     schema: str
     program: str = "stage1"
@@ -82,23 +82,23 @@ def with_instead(old, new, scene=GOOD):
 
 
 def edit(name, old, new, message, schema=REFUSES, program="stage1"):
-    """The good scene with `new` in the place of `old`."""
+    """The good scene with `new` instead of `old`."""
     broken(name, with_instead(old, new), message, schema, program)
 
 
 def material(name, text, message, schema=REFUSES, program="stage1"):
-    """The good scene with a material more, in line 14."""
+    """The good scene with another material, in line 14."""
     edit(name, "lamp =", f"{text}\nlamp =", message, schema, program)
 
 
 def light(name, old, new, message, schema=REFUSES):
-    """The good scene with a point light, and in that `new` for `old`."""
+    """The good scene with a point light, which has `new` instead of `old`."""
     text = GOOD + with_instead(old, new, POINT_LIGHT)
     broken(name, text, message, schema, "stage2")
 
 
-# No TOML at all. The columns and the words behind "this is not TOML" are the
-# library's, the lines are not.
+# Not TOML. The columns and the words after "this is not TOML" come from the
+# library, the lines do not.
 for name, line, scene in [
     ("a picture", 1, b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\1\0\0\0\1\0"),
     ("binary zeros", 1, bytes(1000)),
@@ -131,7 +131,7 @@ for name, line, scene in [
 ]:
     broken(name, scene, f"{line}:COLUMN: this is not TOML: ...", NOT_ASKED)
 
-# Each part of a key is a table in a table.
+# Each part of a key is a nested table.
 PARTS = " a key of more than 16 parts"
 broken("a key of 5 million parts", b"a" + b".a" * 5_000_000 + b" = 1\n", "1:32:" + PARTS, NOT_ASKED)
 broken("a table of 5 million parts", b"[a" + b".a" * 5_000_000 + b"]\n", "1:33:" + PARTS, NOT_ASKED)
@@ -150,7 +150,7 @@ broken(
     REFUSES,
 )
 
-# Nothing, or next to nothing.
+# Empty, or nearly empty.
 broken("an empty file", "", "1:1: the scene needs 'camera'", REFUSES)
 broken("only comments", "# a scene\n# to be\n", "1:1: the scene needs 'camera'", REFUSES)
 broken("no shapes", GOOD[: GOOD.index("[[shapes]]")], "1:1: the scene has no [[shapes]]", REFUSES)
@@ -517,7 +517,7 @@ edit(
     "size = [4.5, 4]",
     "6:9: the number of columns must be a whole number from 1 to 65536",
 )
-# To JSON, 4.0 is a whole number; in TOML it is another type than 4.
+# In JSON, 4.0 is a whole number; in TOML it has another type than 4.
 edit(
     "a whole size with a point",
     "size = [4, 4]",
@@ -628,7 +628,7 @@ edit(
     "14:8: material 'lamp' emits (ke), so it must not reflect or refract (kd, ks, kt)",
 )
 
-# What later stages introduce.
+# Features of later stages.
 broken(
     "a point light in stage 1",
     GOOD + POINT_LIGHT,
@@ -662,7 +662,7 @@ material(
     "stage2",
 )
 
-# Names that would break the line, or the terminal, that the message is.
+# Names that would break the message's line, or the terminal.
 edit(
     "line breaks in a type",
     '"sphere"',

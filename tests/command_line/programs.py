@@ -1,4 +1,4 @@
-"""What the tests of the command line share: a run that ends, and a folder."""
+"""What the tests of the command line share: runs with a limit, and a folder."""
 
 import pathlib
 import shutil
@@ -10,12 +10,12 @@ import unittest
 from tests.runner import watch
 from tools.tree import BUILD, ROOT, SCENES, built_stages, read_pfm  # noqa: F401
 
-# Seconds of processor time that no program of the tests needs: a hang shall end
-# in a failure. There is no limit by the clock, since the machine may be busy.
+# More seconds of processor time than any program of the tests needs, so that a
+# hang fails. There is no wall-clock limit, since the machine may be busy.
 HANG = 240
 
 
-# EXR files need OpenImageIO, by a module beside the programs.
+# EXR files need OpenImageIO, in a module beside the programs.
 HAS_EXR = any(BUILD.glob("*lightwalk_openimageio.*"))
 ENDINGS = ["pfm", "ppm", "png", *(["exr"] if HAS_EXR else [])]
 
@@ -29,7 +29,7 @@ def wait_until(process, condition):
 
 
 def run_command(command, seconds=HANG, **options):
-    """Runs a command to its end; what it prints is text."""
+    """Runs a command to its end; its output is text."""
     pipes = dict(stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     pipes |= dict(encoding="utf-8", errors="backslashreplace")
     with subprocess.Popen(command, **(pipes | options)) as process:
@@ -38,7 +38,7 @@ def run_command(command, seconds=HANG, **options):
 
 
 def run(program, *arguments, folder=None, **options):
-    """The same for a program that was built."""
+    """The same for a program of the build."""
     return run_command([BUILD / program, *map(str, arguments)], cwd=folder, **options)
 
 
@@ -49,7 +49,7 @@ def sanitized():
 
 
 def with_signals(ignored=()):
-    """What a program is to find when it starts, even if the tests run under nohup."""
+    """The signal handling that a program starts with, even if the tests run under nohup."""
 
     def set_them():
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
@@ -59,7 +59,7 @@ def with_signals(ignored=()):
 
 
 class InFolder(unittest.TestCase):
-    """A test that has an empty folder for itself."""
+    """A test with an empty folder of its own."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="lightwalk-"))

@@ -1,4 +1,4 @@
-"""A broken scene is refused with one line that says where and what."""
+"""A broken scene is refused with one line that says where and why."""
 
 import os
 import re
@@ -9,7 +9,7 @@ from programs import InFolder, built_stages, run
 
 
 class BrokenScenes(InFolder):
-    """One test for each entry of the table is added below."""
+    """The code below adds one test for each entry of the table."""
 
     def check(self, broken):
         if broken.program not in built_stages():
@@ -89,7 +89,7 @@ class NoSceneFile(InFolder):
         self.check("link.toml", "link.toml: there is no such scene file")
 
     def test_a_pipe(self):
-        # Opening it would wait for a writer, for ever.
+        # Opening it would wait for a writer forever.
         os.mkfifo(self.folder / "pipe.toml")
         self.check("pipe.toml", "pipe.toml: is not a regular file")
 
@@ -109,7 +109,7 @@ class NoSceneFile(InFolder):
 
 
 class GoodScenes(InFolder):
-    """What the broken scenes are made of is not broken itself."""
+    """The good scene, from which the broken ones are made, is accepted."""
 
     def accept(self, scene):
         (self.folder / "scene.toml").write_text(scene, encoding="utf-8")

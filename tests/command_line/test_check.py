@@ -1,4 +1,4 @@
-"""`make check`, told a stage that is none."""
+"""`make check` with a stage that does not exist."""
 
 import sys
 import unittest

@@ -1,4 +1,4 @@
-"""The programs as their users meet them: options, files and exit codes."""
+"""The programs as users use them: options, files and exit codes."""
 
 import os
 import pathlib
@@ -33,15 +33,15 @@ from tests.runner import watch
 # The box under a bright ceiling: no pixel of it is black.
 BOX = SCENES / "cornell_box_ceiling_diffuse.toml"
 
-# Takes days: what ends at once has not rendered it.
+# Takes days: a program that ends at once has not rendered it.
 FOR_EVER = ["--spp", "1000000000", "--size", "512x512"]
 
 
 def catches_interrupts(process):
-    """Whether a program has come to the point where Ctrl-C is answered."""
+    """Whether a program has reached the point where it handles Ctrl-C."""
     try:
         status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
-    except OSError:  # not Linux: it will have come there after a while
+    except OSError:  # not Linux: assume so after a while
         time.sleep(2)
         return True
     caught = int(re.search(r"SigCgt:\s*(\w+)", status)[1], 16)
@@ -49,8 +49,8 @@ def catches_interrupts(process):
 
 
 def interrupt(process, after=0.3):
-    """Presses Ctrl-C when the program has rendered for some time, by the clock and
-    by the processor: on a busy machine, the clock alone says nothing."""
+    """Presses Ctrl-C after some wall-clock time and some processor time: on a busy
+    machine, wall-clock time alone says nothing."""
     wait_until(process, lambda: catches_interrupts(process))
     time.sleep(after)
     wait_until(process, lambda: watch.usage(process.pid)[0] >= after)
@@ -81,7 +81,7 @@ class Programs(InFolder):
 
 class Options(Programs):
     def wrong(self, *arguments, about):
-        """Refused as wrong usage, in one line that contains `about`."""
+        """The program refuses this as wrong usage, in one line that contains `about`."""
         result = self.run_here(*arguments)
         for name in self.files():
             (self.folder / name).unlink()
@@ -128,7 +128,7 @@ class Options(Programs):
             with self.subTest(words):
                 arguments = [BOX if word == "BOX" else word for word in words.split(" ")]
                 self.wrong(*arguments, about=f"stage1: unknown option {said} (stage1 --help")
-        # Behind -- there are no options.
+        # After -- there are no options.
         self.wrong(
             "-o", "out.pfm", "--", "a", "-b", about="stage1: argument '-b' was not expected after 'a' ("
         )
@@ -227,7 +227,7 @@ class Renders(Programs):
                 outputs += ["-o", f"{name}.{ending}"]
             self.render(*outputs, *self.small)
             if name == "a":
-                time.sleep(1.1)  # a file that holds the time would differ
+                time.sleep(1.1)  # a file that contains the time would differ
         for ending in ENDINGS:
             a, b = self.bytes_of(f"a.{ending}"), self.bytes_of(f"b.{ending}")
             self.assertEqual(a, b, ending)
@@ -350,7 +350,7 @@ class Formats(Programs):
 
 
 class WhatCannotBeWritten(Programs):
-    """All of it is reported before a render that takes days has begun."""
+    """The messages come before a render that takes days begins."""
 
     def refused(self, path, message, *others):
         before = self.files()
@@ -435,7 +435,7 @@ class CtrlC(Programs):
         interrupt(process)
         stdout, stderr = communicate(process)
         self.assertEqual(process.returncode, 130, stderr)
-        # No progress where stderr is not a terminal: this line is all.
+        # No progress if stderr is not a terminal: this line is all.
         said = re.fullmatch(r"stage1: interrupted after (\d+) of 1000000000 samples per pixel\n", stderr)
         self.assertIsNotNone(said, stderr)
         samples = int(said[1])
@@ -445,7 +445,7 @@ class CtrlC(Programs):
         self.assertEqual(self.files(), ["out.pfm", "out.png"])
         self.assertIn(b"\n# samples_per_pixel %d\n" % samples, self.bytes_of("out.pfm"))
 
-        # The picture is whole: each pixel is that of a render with so many
+        # The picture is complete: each pixel is that of a render with this many
         # samples, or with those of one pass more.
         *_, pixels = read_pfm(self.folder / "out.pfm")
         self.render("-o", "b.pfm", "--spp", samples, "--size", "16x16")
@@ -476,7 +476,7 @@ class CtrlC(Programs):
 
 class Progress(Programs):
     def on_a_terminal(self, *arguments):
-        """What a render of a second or so writes to a terminal."""
+        """The output of a render of about a second to a terminal."""
         ours, theirs = pty.openpty()
         written = []
 
@@ -485,7 +485,7 @@ class Progress(Programs):
                 while data := os.read(ours, 65536):
                     written.append(data)
             except OSError:
-                pass  # Linux's way to say that the other side is closed
+                pass  # how Linux reports that the other side is closed
 
         process = self.start(
             *[BOX, "-o", "out.pfm", "--spp", "1000000000", "--size", "8x8"],
@@ -509,7 +509,7 @@ class Progress(Programs):
         self.assertRegex(end, r"^stage1: interrupted after \d+ of \d+ samples")
         for line in progress:
             self.assertNotIn("\n", line)
-        # A terminal of 30 columns cuts what is longer, and does not wrap it.
+        # In a terminal of 30 columns longer lines are cut, not wrapped.
         for line in progress[1:]:
             self.assertIn("samples/s\x1b[?7h", line)
         self.assertTrue(text.startswith("\x1b[?7l\r\x1b[K"), text)

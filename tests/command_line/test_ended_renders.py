@@ -1,4 +1,4 @@
-"""Programs whose renders end before their time, and say why."""
+"""Programs whose renders end early, and say why."""
 
 import resource
 import signal

@@ -1,4 +1,4 @@
-"""examples/paint.cpp: a program of its own, from GLM and this folder alone."""
+"""examples/paint.cpp: a separate program that needs only GLM and this folder."""
 
 import os
 import re
@@ -30,7 +30,7 @@ class Example(InFolder):
             [*command, "-MD", "-MF", "needs"], cwd=self.folder, capture_output=True, text=True
         )
         self.assertEqual((built.returncode, built.stderr), (0, ""))
-        # Nothing of another library, not even its headers.
+        # No other library, not even its headers.
         for library in ["toml++", "CLI", "OpenImageIO", "nlohmann", "boost"]:
             needs = (self.folder / "needs").read_text()
             self.assertNotIn(f"/{library}/", needs)
@@ -41,7 +41,7 @@ class Example(InFolder):
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
         self.assertEqual(self.files(), sorted([*before, "box.pfm"]))
 
-        # The lab's box it is: the same bits as from its scene file.
+        # It is the lab's box: the same bits as from its scene file.
         width, height, pixels = read_pfm(self.folder / "box.pfm")
         self.assertEqual((width, height), (128, 128))
         same = run(

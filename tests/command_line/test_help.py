@@ -8,7 +8,7 @@ from broken_scenes import GOOD, with_instead
 from programs import ROOT, InFolder, built_stages, run
 
 SHARED = "common/program/command_line.hpp"
-# Without a size and [render]: what it leaves open has the program's default.
+# Without a size and [render], so that these have the program's defaults.
 SCENE = with_instead("size = [4, 4]\n", "")
 SCENE = with_instead(SCENE[SCENE.index("[render]") : SCENE.index("[materials]")], "", SCENE)
 
@@ -27,7 +27,7 @@ class Help(InFolder):
         return result.stdout
 
     def rows(self, program):
-        """Each option's default, "" where it has none, and its meaning."""
+        """Each option's default, "" if it has none, and its meaning."""
         text = self.help_of(program)
         lines = text.split("\n\n")[2].splitlines()
         start = lines[0].find("default")
@@ -61,7 +61,7 @@ class Help(InFolder):
                     self.assertTrue(meaning, f"{option} has no meaning")
 
     def rendered(self, program, option, *given):
-        """What a small render leaves in which `option` is left open, or given."""
+        """The output of a small render, with or without `option`."""
         small = [] if option == "--size" else ["--size", "4x4"]
         small += [] if option == "--spp" else ["--spp", "1"]
         if option == "--sample":

@@ -1,4 +1,4 @@
-"""Stage 6 follows many paths at once wherever it can, and is not stage 5."""
+"""Stage 6 follows many paths at once wherever it can, and does not become stage 5."""
 
 import platform
 import re
@@ -9,13 +9,13 @@ from programs import BUILD, run
 
 
 def switched_off():
-    """What the build was asked to do without."""
+    """What the build was configured to leave out."""
     cache = (BUILD / "CMakeCache.txt").read_text()
     return re.findall(r"^(LIGHTWALK_(?:HIGHWAY|NATIVE)):BOOL=OFF$", cache, re.MULTILINE)
 
 
 def processor_can():
-    """On x86 rows want AVX2, on ARM every processor will do."""
+    """On x86 rows need AVX2, on ARM every processor will do."""
     info = Path("/proc/cpuinfo")
     if platform.machine().lower() in ("arm64", "aarch64"):
         return True

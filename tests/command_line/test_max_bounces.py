@@ -1,4 +1,4 @@
-"""The bound on bounces reaches every stage's path, from either place it is said.
+"""The bound on bounces reaches every stage's paths, from the option and the scene file.
 
 A lamp of radius 1/2 within a sphere of radius 1 fills a quarter of what any
 point of the wall sees. With at most N bounces the wall's radiance is
@@ -40,7 +40,7 @@ def radiance(bounces):
 
 class MaxBounces(programs.InFolder):
     def check(self, stage, bounces, said_in_scene):
-        """The mean over the pixels, each of which is an estimate of the same."""
+        """The mean over the pixels, which all estimate the same number."""
         scene = SCENE + (f"[render]\nmax_bounces = {bounces}\n" if said_in_scene else "")
         (self.folder / "scene.toml").write_text(scene)
         options = [] if said_in_scene else ["--max-bounces", bounces]

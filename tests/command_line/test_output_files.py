@@ -1,4 +1,4 @@
-"""Where a picture goes: links, modes, pipes, long names; and when it goes nowhere."""
+"""Where a picture goes: links, modes, pipes, long names; and when it cannot."""
 
 import json
 import os
@@ -47,10 +47,10 @@ class Outputs(InFolder):
         self.assertEqual(read_pfm(path)[:2], (8, 8))
 
     def render_unprivileged(self, *arguments, **options):
-        """As `render`, by a program that may change nothing but what is in the folder."""
+        """Like `render`, for a program that may change only the contents of the folder."""
         if os.geteuid() != 0:
             return self.render(*arguments, **options)
-        # Nobody else may enter root's home, where the tree may be.
+        # Other users may not enter root's home, where the tree may be.
         place = pathlib.Path(tempfile.mkdtemp(prefix="lightwalk-"))
         self.addCleanup(shutil.rmtree, place)
         program, scene = (pathlib.Path(shutil.copy(file, place)) for file in (BUILD / "stage1", BOX))
@@ -100,7 +100,7 @@ class WhatIsThere(Outputs):
         self.assertEqual(self.files(), ["a.pfm", "b.pfm", "c.pfm"])
 
     def test_the_other_name_of_a_hard_link_keeps_the_old_picture(self):
-        """The README says so: to write into the old file would risk both."""
+        """As the README says: writing into the old file would risk both."""
         self.out.write_text(OLD)
         os.link(self.out, self.folder / "other.pfm")
         self.assert_done(self.render("-o", "out.pfm"))
@@ -199,14 +199,14 @@ class PipesAndDevices(Outputs):
         command = [BUILD / "stage1", BOX, *SMALL, "-o", "out.pfm", "--quiet"]
         done = subprocess.run(command, cwd=self.folder, capture_output=True)
         self.assertEqual((done.returncode, done.stderr, done.stdout), (0, b"", expected))
-        # A file is replaced, as any other.
+        # The file is replaced like any other.
         with open(self.folder / "all", "wb") as file:
             subprocess.run(command, cwd=self.folder, stdout=file, check=True)
         self.assertEqual((self.folder / "all").read_bytes(), expected)
         self.assertEqual(self.files(), ["all", "out.pfm", "plain.pfm"])
 
     def test_a_device_gets_the_picture(self):
-        """A terminal of the test's own: where /dev/null is, a broken program run by root could put a file."""
+        """A separate terminal: a broken program run by root could replace /dev/null by a file."""
         self.assert_done(self.render("-o", "plain.pfm"))
         expected = (self.folder / "plain.pfm").read_bytes()
         ours, theirs = pty.openpty()
@@ -223,7 +223,7 @@ class PipesAndDevices(Outputs):
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "needs Linux")
     def test_a_full_device_is_an_error(self):
-        """An open file, and not run by root: a broken program shall not replace the device."""
+        """An open file, and not as root: a broken program must not replace the device."""
         full = os.open("/dev/full", os.O_WRONLY)
         self.addCleanup(os.close, full)
         self.out.symlink_to(f"/dev/fd/{full}")
@@ -253,7 +253,7 @@ class SeveralFiles(Outputs):
 
 
 class Interrupts(Outputs):
-    """A program of 8 x 8 pixels that waits at its nth sample until a signal was sent."""
+    """A program of 8 x 8 pixels that waits at its nth sample for a signal."""
 
     FIRST_PASS, LATER = 20, 64 + 20
 
@@ -308,7 +308,7 @@ class Interrupts(Outputs):
             self.assertEqual(report["samples_per_pixel"], 0)
 
     def test_in_the_first_pass_a_new_picture_is_written_as_far_as_it_goes(self):
-        """As the old one cannot be lost; an empty file is none."""
+        """Since the old one cannot be lost; an empty file is no picture."""
         self.out.write_text("")
         (self.folder / "old.ppm").write_text(OLD)
         result = self.interrupted(self.FIRST_PASS, signal.SIGINT, outputs=["old.ppm", "out.pfm", "new.pfm"])
@@ -338,7 +338,7 @@ class Interrupts(Outputs):
             self.assertTrue(json.loads((self.folder / "a.json").read_text())["interrupted"])
 
     def test_nohup(self):
-        """What is ignored when the program starts stays ignored."""
+        """A signal that is ignored when the program starts stays ignored."""
         for number in [signal.SIGHUP, signal.SIGTERM]:
             result = self.interrupted(self.FIRST_PASS, number, spp=2, ignored=[number])
             self.assertEqual((result.returncode, result.stderr), (0, ""))

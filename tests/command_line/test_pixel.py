@@ -1,4 +1,4 @@
-"""One path, told vertex by vertex: --pixel and --sample."""
+"""One path, printed vertex by vertex: --pixel and --sample."""
 
 import re
 import struct
@@ -6,7 +6,7 @@ import unittest
 
 from programs import SCENES, InFolder, built_stages, read_pfm, run
 
-# What every stage can paint, with as many kinds of surfaces as it knows.
+# A scene that every stage can render, with all kinds of surfaces that it knows.
 SCENES_OF = {
     "stage1": ["cornell_box_ceiling_diffuse", "cornell_box_lamp_diffuse"],
     "stage2": ["cornell_box_point_diffuse", "cornell_box_lamp_diffuse"],
@@ -37,7 +37,7 @@ lamp = { ke = [3, 2, 1] }
 
 
 def scene_of(shapes):
-    """A scene with these shapes, and the materials that they name."""
+    """A scene with these shapes, and their materials."""
     materials = "".join(
         line for line in MATERIALS.splitlines(keepends=True) if f'"{line.split()[0]}"' in shapes
     )
@@ -70,7 +70,7 @@ def numbers(text):
 
 
 def vertices_of(story):
-    """For each vertex its lines: a list of (label, rest of the line)."""
+    """For each vertex, its lines: a list of (label, rest of the line)."""
     result = []
     for block in story.split("\n\n"):
         head, *lines = block.strip("\n").split("\n")
@@ -148,7 +148,7 @@ class ThePathOfThePicture(Pixels):
 
 class WhatIsTold(Pixels):
     def test_numbers_fit_together(self):
-        """Weights multiply to throughputs, and what is added to sums."""
+        """Throughputs are products of the weights, sums are sums of what is added."""
         for program in built_stages():
             if program == "stage3":
                 continue  # a tree: see below
@@ -214,8 +214,8 @@ class WhatIsTold(Pixels):
         self.assertEqual(vertices_of(story), [])
         self.assertIn("ends       leaves the scene\n", story)
 
-    # Before a white wall, with a lamp at the camera's back: most paths that
-    # bounce off the wall come to the lamp, which the wall has asked already.
+    # In front of a white wall, with a lamp behind the camera: most paths that
+    # bounce off the wall hit the lamp, which the wall has sampled already.
     @needs_stage4
     def test_a_lamp_that_was_asked_before(self):
         shapes = square("white", 1) + square("lamp", -1, towards_camera=False)
@@ -223,12 +223,12 @@ class WhatIsTold(Pixels):
         *_, wall, _ = vertices_of(said)
         self.assertRegex(dict(wall)["light"], r"at [\d.]+: reached$")
         self.assertIn("adds       nothing: this lamp", said)
-        # Stage 1 asks no lamp, and finds it.
+        # Stage 1 samples no lamp, and hits it.
         said = self.found(shapes, "emission", program="stage1")
         self.assertNotIn("light  ", said)
 
     def found(self, shapes, text, *arguments, program="stage4"):
-        """The first of the pixel's paths of which this is told."""
+        """The first of the pixel's paths whose output contains this."""
         for sample in range(60):
             story = self.told_of(shapes, "--sample", sample, *arguments, program=program)
             if text in story:
@@ -321,7 +321,7 @@ class WrongUsage(Pixels):
 
 
 class NotFinite(Pixels):
-    """Told by a program of which one sample in a hundred is infinite."""
+    """Prints of a program of which one sample in a hundred is infinite."""
 
     scene = SCENES / "cornell_box_ceiling_diffuse.toml"
 
@@ -353,7 +353,7 @@ class NotFinite(Pixels):
             dropped, column, row, sample = map(int, said.groups())
             self.assertIn(dropped, range(1, 30))  # of 960
             self.assertFalse(self.is_finite(column, row, sample, *options))
-            # Of those before it the last few, which a run each can ask.
+            # The last few of the previous samples, one run for each.
             first = 3 * (20 * row + column) + sample
             for i in range(max(0, first - 40), first):
                 pixel = i // 3

@@ -1,5 +1,5 @@
-"""What a failing suite says, that none passes without its last test, and that a
-busy machine makes none wrong."""
+"""The report of a failing suite; no suite passes without its last test, and none
+fails because the machine is busy."""
 
 import contextlib
 import os
@@ -28,7 +28,7 @@ def run(tests, **options):
 
 @contextlib.contextmanager
 def busy_machine(processes=16):
-    """Others want more processors than there are."""
+    """Occupies more processors than there are."""
     command = [sys.executable, "-c", "while True: pass"]
     others = [subprocess.Popen(command) for _ in range(processes)]
     try:
@@ -94,7 +94,7 @@ class Reports(Runner):
 
     def test_an_exception_is_a_failure(self):
         text = self.assert_says("ends exception,unit passes", "1 of 2 tests fails", "threw: no such thing")
-        self.assertIn("zero := 0", text)  # what was noted
+        self.assertIn("zero := 0", text)  # the notes
         text = self.assert_says("ends exception in a subcase", "threw: no such thing zero := 0")
         self.assertNotIn("translate", text)
 
@@ -203,8 +203,8 @@ class Limits(Runner):
         self.assert_says("ends subcases", "1 test passes", passes=True, seconds=0.3)
 
     def test_a_busy_machine_makes_nothing_wrong(self):
-        """Half a second of work beside 16 others: by the clock it takes several seconds, and it runs in
-        none of them for long."""
+        """Half a second of work beside 16 other processes: in wall-clock time it takes several seconds, and
+        it runs in none of them for long."""
         with busy_machine():
             self.assert_says("ends subcases", passes=True, seconds=0.4, idle_seconds=1)
 
@@ -214,7 +214,7 @@ class Limits(Runner):
             self.assert_says("ends loop", 'stopped during the test "ends loop" which had', seconds=0.2)
 
     def test_what_waits_for_a_processor_is_not_idle(self):
-        """However long: no test can make a machine so busy."""
+        """For any length of time: no test can make a machine that busy."""
         for willing, why in ((True, ""), (False, "idle")):
             with self.subTest(willing), mock.patch.object(watch, "usage", return_value=(1, willing)):
                 watcher = watch.Watch(os.getpid(), idle_seconds=60)
@@ -231,7 +231,7 @@ class Limits(Runner):
 
     @unittest.skipUnless(shutil.which("ps"), "there is no ps")
     def test_ps_tells_the_same(self):
-        """Where there is no /proc, as on macOS."""
+        """Without /proc, as on macOS."""
         with subprocess.Popen([sys.executable, "-c", "while True: pass"]) as process:
             while watch.usage_by_ps(process.pid)[0] < 1:
                 time.sleep(0.05)
@@ -260,7 +260,7 @@ class NothingIsLeft(Runner):
                 os.kill(pid, signal.SIGKILL)
 
     def assert_nothing_left(self):
-        end = time.monotonic() + 20  # the kernel may need a while to end them
+        end = time.monotonic() + 20  # the kernel may take a while to end them
         while left := marked():
             self.assertLess(time.monotonic(), end, f"{len(left)} processes are left")
             time.sleep(0.05)
@@ -290,7 +290,7 @@ class NothingIsLeft(Runner):
                     stderr=subprocess.PIPE,
                     **with_signals(),
                 )
-                # Its children are there, and it loops.
+                # Its children exist, and it loops.
                 count = 2 if tests == "ends loop" else 4
                 while len(marked()) < count or not any(
                     watch.usage(pid)[0] > 0.2 for pid in marked() - {runner.pid}

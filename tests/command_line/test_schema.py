@@ -14,7 +14,7 @@ from programs import SCENES, InFolder, built_stages, run
 SCHEMA = json.loads((SCENES / "scene.schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft7Validator(SCHEMA)
 
-# Every key of the first stage, and tables with what later ones introduce.
+# Every key of the first stage, and tables with the features of later stages.
 FIRST = tomllib.loads(GOOD)
 LATER = [
     ("lights", tomllib.loads(POINT_LIGHT)["lights"]),
@@ -28,7 +28,7 @@ OPTIONAL = {
     *["ice.ks", "ice.kt", "ice.fresnel"],
 }
 
-# A pattern as a coefficient, and whether it is a good one.
+# A pattern as a coefficient, and whether it is valid.
 TWO = [[0.8, 0.8, 0.8], 0.1]
 PATTERNS = [
     ({"checker": TWO}, True),
@@ -58,7 +58,7 @@ PATTERNS = [
 
 
 def why_the_schema_refuses(scene):
-    """What the schema says about a scene, or None."""
+    """The schema's complaint about a scene, or None."""
     error = jsonschema.exceptions.best_match(VALIDATOR.iter_errors(scene))
     return error and f"{list(error.path)}: {error.message}"
 
@@ -83,7 +83,7 @@ def to_toml(value):
 
 
 def tables(scene):
-    """Every table of a scene whose keys the format knows."""
+    """Every table of a scene with fixed keys."""
     yield "scene", scene
     yield "camera", scene["camera"]
     yield "render", scene["render"]
@@ -108,7 +108,7 @@ def changed(scene, change):
 
 
 def why_the_loader_refuses(scene, folder):
-    """What the newest stage says about a scene, or None."""
+    """The newest stage's complaint about a scene, or None."""
     text = "".join(f"{key} = {to_toml(scene[key])}\n" for key in scene)
     assert tomllib.loads(text) == scene, text
     path = folder / "scene.toml"
@@ -183,7 +183,7 @@ class TheSchema(unittest.TestCase):
             if isinstance(scene, bytes):
                 scene = scene.decode(errors="surrogateescape")
             if re.search("[\udc80-\udcff]", scene):
-                continue  # not UTF-8, so no TOML either
+                continue  # not UTF-8, so not TOML either
             with self.subTest(broken.name):
                 with self.assertRaises((ValueError, RecursionError)):
                     tomllib.loads(scene)
@@ -192,7 +192,7 @@ class TheSchema(unittest.TestCase):
 class TheSchemaAndTheLoader(InFolder):
     def setUp(self):
         super().setUp()
-        # All that the newest stage knows: more with each stage of the course.
+        # All features of the newest stage: more with each stage of the course.
         self.scene = copy.deepcopy(FIRST)
         for name, value in LATER:
             scene = copy.deepcopy(self.scene)

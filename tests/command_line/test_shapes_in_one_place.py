@@ -1,4 +1,4 @@
-"""Surfaces in one place: which of them is first, and which are one too many."""
+"""Surfaces in one place: which of them comes first, and which are refused."""
 
 import itertools
 import unittest
@@ -45,7 +45,7 @@ def triangle(a, b, c, material):
 
 
 def down(x, y, z, size, material):
-    """A square across the y axis that faces down, from (x, y, z) on."""
+    """A square perpendicular to the y axis that faces down, with a corner at (x, y, z)."""
     return rectangle([x, y, z], [size, 0, 0], [0, 0, size], material)
 
 
@@ -94,7 +94,7 @@ def seen_from(height):
 
 
 class Means(Scenes):
-    """A surface in the place of another: as if there were a gap."""
+    """A surface in the place of another counts as if there were a gap."""
 
     def check(self, shapes, expected, ceiling=1, programs=None):
         for order in [shapes, shapes[::-1]]:
@@ -105,12 +105,12 @@ class Means(Scenes):
 
     def test_a_lamp_flush_with_the_ceiling(self):
         gap = self.mean_of([*room(1), down(-0.5, 0.9999, -0.5, 1, "lamp")], "--spp=300", program="stage2")
-        # At 0 there are no digits to be rounded.
+        # At 0 no digits are rounded.
         for y in [1, 0, -40]:
             self.check([*room(y), down(-0.5, y, -0.5, 1, "lamp")], gap, ceiling=y)
-        for tile in [down, up]:  # either side of what reflects
+        for tile in [down, up]:  # both sides of the reflecting surface
             self.check([tile(-9, 1, -9, 18, "white"), *room(1)[1:], down(-0.5, 1, -0.5, 1, "lamp")], gap)
-        # The same lamp twice shines once.
+        # Two equal lamps shine once.
         self.check([*room(1), *2 * [down(-0.5, 1, -0.5, 1, "lamp")]], gap)
 
     def test_a_lamp_in_a_slanted_ceiling_that_is_larger(self):
@@ -218,7 +218,7 @@ FINE = {
 
 
 class Duplicates(Scenes):
-    """A shape that the file has twice is named, with both lines."""
+    """A shape that the file has twice is reported, with both lines."""
 
     def said(self, shapes, *arguments):
         result = self.result_of(shapes, *arguments, program="stage2")

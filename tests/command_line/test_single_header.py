@@ -1,7 +1,7 @@
 """`make single-header`: each stage as one header that needs GLM alone.
 
-The newest stage's is tested here; `make test-single-header` takes every stage,
-each compiler that is there, and the programs of the how-tos as they are.
+Tests the header of the newest stage; `make test-single-header` takes every stage,
+each installed compiler, and the programs of the how-tos as they are.
 """
 
 import functools
@@ -30,7 +30,7 @@ def configured(name):
 
 
 def glm():
-    """The option that names GLM's folder, after those that the compiler knows."""
+    """The option with GLM's folder, searched after the compiler's own folders."""
     prefix = re.match(r"(.*)/(share|lib\w*)/", configured("glm_DIR"))
     folder = f"{prefix[1]}/include" if prefix else ""
     return ["-idirafter", folder] if os.path.isdir(f"{folder}/glm") else []
@@ -45,7 +45,7 @@ def number(header):
 
 
 def make(build, root=ROOT, **environment):
-    """What `make single-header` does in a tree, into a build folder."""
+    """Does what `make single-header` does in a tree, into a build folder."""
     env = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", **environment}
     env |= {"LIGHTWALK_BUILD": str(build), "PYTHONPATH": str(root)}
     command = [sys.executable, "-m", "tools.handout.single_header"]
@@ -71,7 +71,7 @@ def program_of(text):
 
 
 def together(*commands, folder):
-    """Runs them side by side: their exit codes and what they say."""
+    """Runs them in parallel; returns their exit codes and output."""
     pipes = dict(cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     running = [subprocess.Popen(command, **pipes) for command in commands]
     try:
@@ -83,7 +83,7 @@ def together(*commands, folder):
 
 
 class Compiled(InFolder):
-    """An empty folder with a single header, and nothing of the tree."""
+    """A folder with only a single header, and nothing of the tree."""
 
     def put(self, stage):
         self.stage = stage
@@ -105,7 +105,7 @@ class Compiled(InFolder):
         self.assertEqual(together(link, folder=self.folder), [(0, "")])
 
     def assert_needs_only_glm(self):
-        """Of what was read in, GLM is the only library."""
+        """Among the included files, GLM is the only library."""
         needs = (self.folder / "needs").read_text().replace("\\\n", " ").split()[1:]
         self.assertEqual([name for name in needs if not name.startswith("/")], ["box.cpp", self.name])
         self.assertEqual([name for name in needs if str(ROOT) in name], [])
@@ -125,7 +125,7 @@ class Compiled(InFolder):
 
     def assert_same_bytes(self, one, other):
         ours, theirs = ((self.folder / name).read_bytes() for name in (one, other))
-        theirs = theirs[: len(ours)]  # the tree's has the variance behind the mean
+        theirs = theirs[: len(ours)]  # in the tree's file the variance follows the mean
         differ = sum(a != b for a, b in zip(ours, theirs)) + abs(len(ours) - len(theirs))
         self.assertEqual(differ, 0, f"{one} and {other} differ in {differ} of {len(theirs)} bytes")
 
@@ -176,7 +176,7 @@ class Text(InFolder):
         self.assertEqual(seen[0], seen[1])
 
     def test_every_line_of_the_tree_is_there(self):
-        """Prose, code and marks, in order; only includes and `#pragma once` go."""
+        """Prose, code and marks stay, in order; only includes and `#pragma once` go."""
         gone = re.compile(r'#pragma once$|#include ["<](?!immintrin|hwy)')
         for text in texts().values():
             parts = re.split(r"^// ==== (\S+) =+\n", text, flags=re.MULTILINE)[1:]
@@ -207,7 +207,7 @@ class Text(InFolder):
 
 
 class Trees(InFolder):
-    """Small trees, and what is said of those that are not right."""
+    """Small trees, and the messages about wrong ones."""
 
     CORE = ["render/paint.hpp", "image/pfm.hpp", "image/ppm.hpp"]
 
@@ -261,7 +261,7 @@ class Trees(InFolder):
 
 
 class EveryStage(Compiled):
-    """The how-to's program as it is, by every compiler, optimized and not."""
+    """The how-to's program as it is, with every compiler, optimized and not."""
 
     def test_paints_what_the_tree_paints(self):
         compilers = {os.path.realpath(shutil.which(compiler())): compiler()}
@@ -285,7 +285,7 @@ class EveryStage(Compiled):
             self.assert_paints_like_the_tree(16)
         else:
             self.assertEqual(together([self.folder / "box"], folder=self.folder), [(0, "")])
-        # The tree's own headers, by the same compiler with the same options.
+        # The tree's own headers, with the same compiler and options.
         (self.folder / "box.pfm").rename(self.folder / "single.pfm")
         headers = re.findall(r"^// ==== (\S+)", self.text, re.MULTILINE)
         includes = "".join(f'#include "{name}"\n' for name in headers) + "#include <fstream>"
@@ -296,7 +296,7 @@ class EveryStage(Compiled):
         self.assertEqual(together(command, folder=self.folder), [(0, "")])
         self.assertEqual(together([self.folder / "tree"], folder=self.folder), [(0, "")])
         self.assert_same_bytes("single.pfm", "box.pfm")
-        # Without any option but the standard's.
+        # With no option but that of the C++ standard.
         bare = [cxx, "-std=c++20", "-x", "c++", "-fsyntax-only", *glm(), self.name]
         self.assertEqual(together(bare, folder=self.folder), [(0, "")])
 

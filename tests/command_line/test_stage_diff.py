@@ -1,4 +1,4 @@
-"""stage-diff: the same, different, or not to be compared."""
+"""stage-diff: the same, different, or impossible to compare."""
 
 import json
 import os
@@ -72,7 +72,7 @@ class StageDiff(programs.InFolder):
         self.check_different(a, self.render("b.pfm"), "lower right")
 
     def test_a_missing_caustic(self):
-        # With a bound of 2 bounces the way through the glass is too long.
+        # With a bound of 2 bounces paths through the glass are too long.
         scene = programs.SCENES / "cornell_box_ceiling.toml"
         stage = "stage3" if "stage3" in programs.built_stages() else None
         if stage is None:
@@ -233,7 +233,7 @@ class StageDiff(programs.InFolder):
 
 
 class Diff(programs.InFolder):
-    """`make diff`, whose programs are shell scripts here."""
+    """`make diff`, with shell scripts as its programs."""
 
     def setUp(self):
         super().setUp()
@@ -305,7 +305,7 @@ class Diff(programs.InFolder):
         self.assertIn("run.000000", left)
 
     def test_names_are_no_programs(self):
-        """By make too, which expands what its variables say."""
+        """Also with make, which expands its variables."""
         image = self.folder / "x.pfm"
         programs.run("stage1", BOX, "-o", image, "--size", "8x8", "--spp", "4", "--quiet")
         for name in (

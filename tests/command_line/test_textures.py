@@ -1,4 +1,4 @@
-"""Textures that cannot be used: one clear line each, and nothing written."""
+"""Textures that cannot be used: one clear line each, and no picture."""
 
 import resource
 import struct
@@ -45,7 +45,7 @@ GOOD = png(64, 64, (b"\0" + bytes(range(192))) * 64)
 
 
 def little_memory():
-    """So little that a header which promises gigabytes cannot be believed."""
+    """Limits the memory, so that a header which promises gigabytes must be refused."""
     limit = 1 << 30
     resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
 
