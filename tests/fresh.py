@@ -152,9 +152,7 @@ def last_lines(system, command):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("releases", nargs="*", default=RELEASES, metavar="RELEASE")
-    parser.add_argument(
-        "--only", action="append", help="run only this command", metavar="COMMAND"
-    )
+    parser.add_argument("--only", action="append", help="run only this command", metavar="COMMAND")
     options = parser.parse_args()
     if os.geteuid() != 0 or not shutil.which("debootstrap"):
         print("test-fresh: not run: it needs root and debootstrap (tools/setup.sh fresh)", file=sys.stderr)

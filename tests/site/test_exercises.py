@@ -116,7 +116,10 @@ class Exercises(Copy):
 
     def test_a_test_that_there_is_not(self):
         self.task(
-            '"mirroring twice', '"mirroring thrice', "3.1", 'no test case of its stage begins "mirroring thrice'
+            '"mirroring twice',
+            '"mirroring thrice',
+            "3.1",
+            'no test case of its stage begins "mirroring thrice',
         )
 
     def test_a_need_that_comes_later(self):

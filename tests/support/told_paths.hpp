@@ -64,8 +64,7 @@ material = "wall"
       if (i == 0) CHECK(throughput.x == 1);
       for (int c = 0; c < 3; ++c) {
         INFO("channel ", c, " at vertex ", i, ": throughput ", throughput[c],
-             ", sum before it ", vertex.sum[c], ", expected ",
-             sum[c],
+             ", sum before it ", vertex.sum[c], ", expected ", sum[c],
              ": each vertex adds its throughput times kd. If tests of light "
              "fail, too, start with those");
         CHECK(throughput[c] > 0);
