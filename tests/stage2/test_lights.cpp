@@ -264,8 +264,6 @@ TEST_CASE("directions to a sphere fill its cone evenly") {
   }
 }
 
-// The tangents from x touch the sphere at distance sqrt(d^2 - r^2): what is
-// nearer is on the near side.
 TEST_CASE("within a sphere that shines outwards no light comes from it") {
   const SphereLight light{Vec3(1, 2, 3), 2, Vec3(5)};
   for (const Vec3 x : {Vec3(1, 2, 3), Vec3(1.5f, 1, 4), Vec3(1, 3.99f, 3)}) {
@@ -274,6 +272,8 @@ TEST_CASE("within a sphere that shines outwards no light comes from it") {
   }
 }
 
+// The tangents from x touch the sphere at distance sqrt(d^2 - r^2): what is
+// nearer is on the near side.
 TEST_CASE("a shadow ray ends on the near side of the sphere") {
   const SphereLight lamp{{3, 4, 0}, 2, Vec3(1)};
   Random random(5, 0, 0);
