@@ -10,7 +10,7 @@ $(BUILD)/node/made: tools/package.json tools/package-lock.json | setup-site
 	@touch $@
 
 # The figures need the stages' pictures, and comparisons of two stages.
-site-programs: build
+site-programs: setup-site build
 	@$(compile) stage-diff
 
 book: site-programs $(BUILD)/site-venv/made $(BUILD)/node/made

@@ -245,7 +245,7 @@ def report(stage):
         if outcome.state == "alive":
             line = stage.source[: mutant.edits[0][0]].count(b"\n") + 1
             alive.append((line, mutant))
-    words = ", ".join(f"{count} {word}" for word, count in counts.max_common())
+    words = ", ".join(f"{count} {word}" for word, count in counts.most_common())
     text = f"stage {stage.number}: {len(stage.mutants)} mutants: {words}\n"
     name = stage.header.relative_to(ROOT)
     for line, mutant in alive:

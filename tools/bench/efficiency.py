@@ -91,7 +91,7 @@ def chart(curves):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--chart", type=pathlib.Path)
-    parser.add_argument("--most-samples", default=64, type=int)
+    parser.add_argument("--max-samples", default=64, type=int)
     options = parser.parse_args()
     counts = [1 << i for i in range(2, options.max_samples.bit_length(), 2)]
     curves = []
