@@ -343,7 +343,7 @@ class Diff(programs.InFolder):
             with self.subTest(name):
                 made = programs.run_command(["make", "-s", "help", f"BUILD={name}"], cwd=programs.ROOT)
                 self.assertEqual(made.returncode, 2)
-                self.assertIn(f"BUILD='{name}': a folder's name without", made.stderr)
+                self.assertIn(f"BUILD='{name}': a folder name without", made.stderr)
                 self.assertFalse((programs.ROOT / "ran").exists())
 
 
