@@ -21,9 +21,8 @@ COMMON = (
     "stages/introductions.hpp",
     "compare/",
     "tests/__init__.py",
-    "tests/every_stage/",
+    "tests/every_stage/stage.hpp.in",
     "tests/runner/",
-    "tests/support/",
     "tests/suites.cmake",
     "tests/leaks.supp",
     "tools/__init__.py",
@@ -38,6 +37,7 @@ COMMON = (
 # Files of a chapter's folder that only the book uses.
 FOR_THE_BOOK = ("/figures.toml", "/drawings.py")
 ANSWER = re.compile(r'^answer = (?:"""[\s\S]*?"""|"(?:[^"\\]|\\.)*")$', re.MULTILINE)
+INCLUDE = re.compile(r'^#include "(support/[^"]+)"', re.MULTILINE)
 IMAGE = re.compile(r'image\s*=\s*"([^"]+)"')
 
 
@@ -76,6 +76,18 @@ def scenes_until(stage, tracked):
             yield from (f"scenes/{image}" for image in IMAGE.findall(text))
 
 
+def support_of(paths, tracked):
+    """The files of tests/support that these tests need: what is compiled, and what is included."""
+    support = {path for path in tracked if path.startswith("tests/support/")}
+    wanted = {path for path in support if not path.endswith(".hpp")}
+    new = wanted | set(paths)
+    while new:
+        included = {name for path in new for name in INCLUDE.findall((ROOT / path).read_text())}
+        new = {f"tests/{name}" for name in included if f"tests/{name}" in support} - wanted
+        wanted |= new
+    return wanted
+
+
 def goldens_until(stage):
     """goldens.toml without the later stages' entries."""
     text = (ROOT / "tests/golden/goldens.toml").read_text()
@@ -100,6 +112,8 @@ def contents(stage, tracked, solutions):
                 chosen.add(path)
         elif any(path == name or (name.endswith("/") and path.startswith(name)) for name in COMMON):
             chosen.add(path)
+    tests = [path for path in chosen if re.match(r"tests/(every_stage|stage\d)/.*\.cpp$", path)]
+    chosen |= support_of(tests, tracked)
     files = {path: (ROOT / path).read_bytes() for path in sorted(chosen)}
     files["tests/golden/goldens.toml"] = goldens_until(stage).encode()
     for number, header in headers.items():
