@@ -34,7 +34,7 @@ def core_headers():
 def listed_headers(folder):
     """The headers of a folder's rooms, in the order in which its README lists them."""
     there = set(folder.glob("*/**/*.hpp"))
-    text = (folder / "README.md").read_text() if there else ""
+    text = (folder / "README.md").read_text(encoding="utf-8") if there else ""
     listed = [folder / name for name in re.findall(r"\]\((\w+/\w+\.hpp)\)", text)]
     odd = there ^ set(listed)
     odd = odd or {path for path in listed if listed.count(path) > 1}
@@ -60,7 +60,7 @@ def test_names(suite):
     literal = r'"(?:[^"\\]|\\.)*"'
     names = []
     for path in sources:
-        for case in re.findall(rf"TEST_CASE\(\s*((?:{literal}\s*)+)\)", path.read_text()):
+        for case in re.findall(rf"TEST_CASE\(\s*((?:{literal}\s*)+)\)", path.read_text(encoding="utf-8")):
             names.append("".join(one[1:-1] for one in re.findall(literal, case)))
     return names
 
@@ -68,7 +68,7 @@ def test_names(suite):
 def left_out(where):
     """The parts that the build lacks there, a line each: cmake/Optional.cmake."""
     path = BUILD / "left_out.txt"
-    lines = path.read_text().splitlines() if path.exists() else []
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     return [line.removeprefix(f"{where}: ") for line in lines if line.startswith(f"{where}: ")]
 
 
@@ -97,7 +97,7 @@ def render(program, scene, image, *options):
         done = run(program, scene, "-o", image, "--report", report, *options)
         if done.returncode:
             raise Failure(f"{program}: {done.stderr.strip()}")
-        return json.loads(report.read_text())
+        return json.loads(report.read_text(encoding="utf-8"))
 
 
 def read_pfm(path):

@@ -48,7 +48,7 @@ def default_stage():
     """A handout's stage, else the newest that has exercises."""
     note = ROOT / "handout.json"
     if note.exists():
-        return json.loads(note.read_text())["stage"]
+        return json.loads(note.read_text(encoding="utf-8"))["stage"]
     return int(headers_with_exercises()[-1].parent.name[0])
 
 
@@ -197,12 +197,12 @@ def hint(stage):
     """Prints the next hint for the exercise that the last check explained."""
     tasks = read_tasks(header_of(stage))
     note = NOTES / f"stage{stage}.json"
-    number = json.loads(note.read_text()) if note.exists() else next(iter(tasks), None)
+    number = json.loads(note.read_text(encoding="utf-8")) if note.exists() else next(iter(tasks), None)
     if number not in tasks:
         print("All exercises are done: there are no more hints.")
         return
     shown = NOTES / f"hints{number}"
-    count = min(int(shown.read_text()) + 1 if shown.exists() else 1, len(tasks[number]["hints"]))
+    count = min(int(shown.read_text(encoding="utf-8")) + 1 if shown.exists() else 1, len(tasks[number]["hints"]))
     shown.parent.mkdir(parents=True, exist_ok=True)
     shown.write_text(str(count))
     print(f"{number} {plain(tasks[number]['task'])}\n")
@@ -235,7 +235,7 @@ def check_at_each_save(stage):
 
 def picture(stage):
     """Renders a small picture with the stage so far."""
-    goldens = tomllib.loads((ROOT / "tests/golden/goldens.toml").read_text())["golden"]
+    goldens = tomllib.loads((ROOT / "tests/golden/goldens.toml").read_text(encoding="utf-8"))["golden"]
     scene = next((one["scene"] for one in goldens if one["stage"] == stage), None)
     if not scene or not build(f"stage{stage}")[1]:
         return

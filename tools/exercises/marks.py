@@ -107,7 +107,7 @@ def exercises(path):
 def marks(path, root=ROOT):
     """The header's exercises in any state, in a tree that begins at root."""
     found, region, now = [], None, None
-    for number, line in enumerate(path.read_text().splitlines(), 1):
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         bare = line.strip()
         where = f"{path.relative_to(root)}:{number}"
         marker = REGION.match(bare)

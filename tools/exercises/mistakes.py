@@ -23,7 +23,7 @@ from tools.tree import BUILD, Failure, tests_filter
 
 def exercise_of(mistake, suite):
     """The number of the exercise that the mistake's first change is in."""
-    text = suite.header.read_text()
+    text = suite.header.read_text(encoding="utf-8")
     for find, _ in mistake.edits:
         if text.count(find) != 1:
             continue

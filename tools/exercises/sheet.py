@@ -87,7 +87,7 @@ def headers_with_exercises():
 
 def title_of(header):
     """The chapter's, "Stage 3: perfect mirrors and glass"."""
-    return next(line[5:] for line in header.read_text().splitlines() if line.startswith("// # "))
+    return next(line[5:] for line in header.read_text(encoding="utf-8").splitlines() if line.startswith("// # "))
 
 
 def task_file(header):
@@ -139,7 +139,7 @@ def read_sheet(header):
             raise Failure(f"{one.where}: exercise {one.number} has no task: there is no {name}")
         return Sheet()
     try:
-        found = tomllib.loads(path.read_text())
+        found = tomllib.loads(path.read_text(encoding="utf-8"))
     except tomllib.TOMLDecodeError as error:
         raise Failure(f"{name}: {error}") from None
     for key in found.keys() - {"exercise", "question", "recap"}:

@@ -69,7 +69,7 @@ def static_files(styles):
     """The style sheets, their fonts and the scripts: {path: bytes}."""
     names = [*styles, *SCRIPTS]
     for style in styles:
-        fonts = FONT.findall((BOOK / "_static" / style).read_text())
+        fonts = FONT.findall((BOOK / "_static" / style).read_text(encoding="utf-8"))
         names += [f"{Path(style).parent}/files/{font}" for font in fonts if SUBSETS.search(font)]
     return {f"static/{name}": (BOOK / "_static" / name).read_bytes() for name in names}
 
@@ -80,7 +80,7 @@ def chapter_page(header):
     source = book_page(header)
     if not source:
         return {}
-    text = source.read_text()
+    text = source.read_text(encoding="utf-8")
     article = text[text.index("<article") : text.index("</article>") + len("</article>")]
     article = without_links(without_solutions(article))
     styles = STYLE.findall(text)

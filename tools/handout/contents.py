@@ -1,5 +1,6 @@
 """The contents of a handout: which files of the tree, and how they change."""
 
+import posixpath
 import re
 import tomllib
 from pathlib import Path
@@ -29,6 +30,7 @@ COMMON = (
     "tools/tree.py",
     "tools/exercises/",
     "CMakeLists.txt",
+    ".gitattributes",
     ".gitignore",
     ".clang-format",
     "LICENSE",
@@ -60,7 +62,7 @@ def words_of(table):
 
 def introduced():
     """The stage that introduces each word of the scene format."""
-    text = (ROOT / "stages/introductions.hpp").read_text()
+    text = (ROOT / "stages/introductions.hpp").read_text(encoding="utf-8")
     return {word: int(stage) for word, stage in re.findall(r'\{"(\w+)", (\d)\}', text)}
 
 
@@ -68,12 +70,21 @@ def scenes_until(stage, tracked):
     """The scenes that a stage can read, and their images."""
     stages = introduced()
     for path in tracked:
-        if not re.fullmatch(r"scenes/\w+\.toml", path):
+        if not (path.startswith("scenes/") and path.endswith(".toml")):
             continue
-        text = (ROOT / path).read_text()
-        if max((stages.get(word, 1) for word in words_of(tomllib.loads(text))), default=1) <= stage:
-            yield path
-            yield from (f"scenes/{image}" for image in IMAGE.findall(text))
+        try:
+            text = (ROOT / path).read_text(encoding="utf-8-sig")
+            words = list(words_of(tomllib.loads(text)))
+        except ValueError as error:
+            raise Failure(f"{path}: {error}") from None
+        if max((stages.get(word, 1) for word in words), default=1) > stage:
+            continue
+        yield path
+        for image in IMAGE.findall(text):
+            shown = posixpath.normpath(posixpath.join(posixpath.dirname(path), image))
+            if shown not in tracked:
+                raise Failure(f"{path}: the tree has no image {shown}")
+            yield shown
 
 
 def support_of(paths, tracked):
@@ -82,7 +93,7 @@ def support_of(paths, tracked):
     wanted = {path for path in support if not path.endswith(".hpp")}
     new = wanted | set(paths)
     while new:
-        included = {name for path in new for name in INCLUDE.findall((ROOT / path).read_text())}
+        included = {name for path in new for name in INCLUDE.findall((ROOT / path).read_text(encoding="utf-8"))}
         new = {f"tests/{name}" for name in included if f"tests/{name}" in support} - wanted
         wanted |= new
     return wanted
@@ -90,7 +101,7 @@ def support_of(paths, tracked):
 
 def goldens_until(stage):
     """goldens.toml without the later stages' entries."""
-    text = (ROOT / "tests/golden/goldens.toml").read_text()
+    text = (ROOT / "tests/golden/goldens.toml").read_text(encoding="utf-8")
     head, *entries = re.split(r"(?m)^(?=\[\[golden\]\])", text)
     return head + "".join(entry for entry in entries if tomllib.loads(entry)["golden"][0]["stage"] <= stage)
 
@@ -153,7 +164,7 @@ def readme(header):
         )
     return (
         (OVERLAY / "README.md")
-        .read_text()
+        .read_text(encoding="utf-8")
         .format(
             stage=stage_of(header),
             title=title_of(header).split(": ", 1)[1],

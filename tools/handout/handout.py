@@ -11,59 +11,29 @@ changed, and keeps everything that the student has written.
 """
 
 import argparse
-import hashlib
-import json
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 from tools.handout.contents import contents
+from tools.handout.repository import commit_all, tracked_files
+from tools.handout.student_tree import NOTE, StudentTree, mode_of, note
 from tools.handout.third_party import copy_libraries
-from tools.tree import ROOT, Failure
-
-NOTE = "handout.json"
-
-
-def git(folder, *arguments):
-    done = subprocess.run(["git", "-C", folder, *arguments], capture_output=True, text=True)
-    if done.returncode:
-        raise Failure(f"git {arguments[0]}: {done.stderr.strip()}")
-    return done.stdout
-
-
-def sum_of(data):
-    return hashlib.sha256(data).hexdigest()
+from tools.tree import Failure
 
 
 def all_files(stage, solutions):
     """The tree's files and the libraries': {path: bytes}."""
-    tracked = git(ROOT, "ls-files").splitlines()
-    files = contents(stage, tracked, solutions)
+    files = contents(stage, tracked_files(), solutions)
     with tempfile.TemporaryDirectory() as folder:
         copy_libraries(Path(folder))
         for path in sorted(Path(folder).rglob("*")):
             if path.is_file():
                 files["third_party/" + path.relative_to(folder).as_posix()] = path.read_bytes()
     return files
-
-
-def write(folder, path, data):
-    target = folder / path
-    target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_bytes(data)
-    if path in ("compare/diff.sh",):
-        target.chmod(0o755)
-
-
-def note(stage, files):
-    """The handout's record of its files, from which the next one knows which of
-    them a student has changed."""
-    sums = {path: sum_of(data) for path, data in files.items()}
-    return json.dumps({"stage": stage, "files": sums}, indent=1) + "\n"
 
 
 def tell_missing_page(stage, files):
@@ -79,57 +49,58 @@ def make_new(stage, solutions, folder):
     if folder.exists() and any(folder.iterdir()):
         raise Failure(f"{folder} is not empty; --into adds to a student's folder")
     files = all_files(stage, solutions)
+    size = sum(map(len, files.values()))
     folder.parent.mkdir(parents=True, exist_ok=True)
     making = Path(tempfile.mkdtemp(prefix=".handout-", dir=folder.parent))
     try:
-        for path, data in files.items():
-            write(making, path, data)
-        (making / NOTE).write_text(note(stage, files))
+        for path, data in {**files, NOTE: note(stage, files)}.items():
+            target = making / path
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(data)
+            target.chmod(mode_of(path))
         making.chmod(0o755)
-        git(making, "init", "--quiet", "--initial-branch=main")
-        git(making, "add", "--all")
-        name = ["-c", "user.name=Lightwalk", "-c", "user.email=lightwalk@localhost"]
-        git(making, *name, "commit", "--quiet", "--message", f"Handout of stage {stage}")
+        commit_all(making, [*files, NOTE], f"Handout of stage {stage}")
         if folder.exists():
             folder.rmdir()
         os.replace(making, folder)
     except BaseException:
         shutil.rmtree(making, ignore_errors=True)
         raise
-    size = sum(map(len, files.values()))
     print(f"{folder}: stage {stage}, {len(files)} files, {size / 1e6:.1f} MB")
     tell_missing_page(stage, files)
 
 
 def add_to(stage, folder):
-    """Adds the stage to a student's folder."""
-    known = folder / NOTE
-    if not known.exists():
-        raise Failure(f"{folder} is no handout: there is no {NOTE} in it")
-    before = json.loads(known.read_text())
-    if before["stage"] >= stage:
-        raise Failure(f"{folder} has stage {before['stage']} already, and this is stage {stage}")
-    files, kept, news = all_files(stage, "previous"), [], 0
-    for path, data in files.items():
-        target = folder / path
-        # Earlier stages are the student's, open or not, from the first day.
-        theirs = path.startswith("stages/") and not path.startswith(f"stages/{stage}_") and target.exists()
-        mine = target.exists() and sum_of(target.read_bytes())
-        if theirs or mine == sum_of(data):
-            continue
-        if mine and mine != before["files"].get(path):
-            kept.append(path)
-            continue
-        write(folder, path, data)
-        news += 1
-    for path in before["files"].keys() - files.keys():
-        target = folder / path
-        if target.exists() and sum_of(target.read_bytes()) == before["files"][path]:
-            target.unlink()
-    known.write_text(note(stage, files))
-    print(f"{folder}: stage {stage} is in, {news} files new or newer. `git add -A && git commit` keeps them.")
-    for path in kept:
-        print(f"  {path} was changed there, and is as it was")
+    """Adds the stage to a student's folder. Where it is broken off, the same
+    command goes on."""
+    tree = StudentTree(folder)
+    if tree.stage >= stage:
+        raise Failure(f"{folder} has stage {tree.stage} already, and this is stage {stage}")
+    # Chapters that were handed out are the student's, open or not.
+    theirs = re.compile(rf"stages/[1-{tree.stage}]_")
+    brought = all_files(stage, "previous")
+    files = {path: data for path, data in brought.items() if not theirs.match(path)}
+    states = {path: tree.state_of(path, data) for path, data in files.items()}
+    in_the_way = [said for path in [*files, NOTE] if (said := tree.what_is_at(path)) not in ("", "file")]
+    if in_the_way:
+        raise Failure(f"{folder}: {in_the_way[0]}; nothing has been changed")
+    written = [path for path, state in states.items() if state in ("new", "old")]
+    for path in written:
+        tree.write(path, files[path])
+    for path in tree.sums.keys() - files.keys():
+        if not path.startswith("stages/"):
+            tree.remove(path)
+    tree.write(NOTE, note(stage, files))
+    print(
+        f"{folder}: stage {stage} is in, {len(written)} files new or newer. "
+        "`git add -A && git commit` keeps them."
+    )
+    for path, state in states.items():
+        if state == "changed":
+            print(f"  {path} was changed there, and is as it was")
+    for path in brought.keys() - files.keys():
+        if path.endswith("/path_tracer.hpp") and not (folder / path).exists():
+            print(f"  {path} is not there, and later chapters include it")
     tell_missing_page(stage, files)
 
 

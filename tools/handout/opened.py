@@ -11,7 +11,7 @@ INCLUDE = '#include "common/open_exercise.hpp"'
 
 def opened(header, solved=()):
     """The header's text, with all its exercises open but those `solved`."""
-    lines = header.read_text().splitlines()
+    lines = header.read_text(encoding="utf-8").splitlines()
     marked = exercises(header)
     for one in reversed(marked):
         if one.number in solved:

@@ -23,7 +23,8 @@ from pathlib import Path
 from tools.exercises.marks import exercises, marks
 from tools.exercises.sheet import headers_with_exercises, read_sheet
 from tools.handout.contents import contents, stage_of
-from tools.handout.handout import add_to, git, make_new
+from tools.handout.handout import add_to, make_new
+from tools.handout.repository import tracked_files
 from tools.tree import ROOT, Failure, tests_filter
 
 # A shorter line of a solution may occur anywhere by chance.
@@ -51,13 +52,13 @@ def leaks(files, opened, solved):
     so are those that an opened one has outside its exercises."""
     secret, given = set(), set()
     for header in opened:
-        lines = header.read_text().splitlines()
+        lines = header.read_text(encoding="utf-8").splitlines()
         for one in reversed(exercises(header)):
             secret |= {line.strip() for line in one.body if len(line.strip()) > LONGEST_CHANCE}
             del lines[one.first - 1 : one.last]
         given |= lines_of("\n".join(lines))
     for header in solved:
-        given |= lines_of(header.read_text())
+        given |= lines_of(header.read_text(encoding="utf-8"))
     # Comments name the steps, and the chapter may repeat them.
     secret = {line for line in secret - given if not line.startswith("//")}
     for path, data in files.items():
@@ -69,7 +70,7 @@ def leaks(files, opened, solved):
 
 def check_contents():
     """Checks each handout's files, without building any."""
-    tracked = git(ROOT, "ls-files").splitlines()
+    tracked = tracked_files()
     headers = headers_with_exercises()
     for header in headers:
         stage = stage_of(header)
@@ -158,7 +159,7 @@ def prove(student, header, count):
     """Takes one stage in the student's folder from open to solved."""
     stage, tasks = stage_of(header), read_sheet(header).tasks
     bodies = {one.number: one.body for one in exercises(header)}
-    text = student.header(stage).read_text()
+    text = student.header(stage).read_text(encoding="utf-8")
     student.compile(f"stage{stage}_header", f"stage{stage}", f"stage{stage}_tests")
     said = student.run(sys.executable, "-m", "tools.exercises.check", stage)
     if said.returncode == 0:

@@ -130,7 +130,7 @@ class Collected:
             raise Failure(f'{user}: there is no header "{name}"')
         self.parts[name] = []  # a header that includes itself ends here
         depth, lines = 0, []
-        for number, line in enumerate(path.read_text().splitlines(), 1):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             where = f"{name}:{number}"
             if condition := CONDITION.match(line):
                 depth += 1 if condition[1] == "if" else -1
@@ -184,7 +184,7 @@ def title(lines):
 
 
 def version(root):
-    return re.search(r"VERSION (\d[\d.]*)", (root / "CMakeLists.txt").read_text().split("project(")[1])[1]
+    return re.search(r"VERSION (\d[\d.]*)", (root / "CMakeLists.txt").read_text(encoding="utf-8").split("project(")[1])[1]
 
 
 def text_of(header, root=ROOT):
@@ -206,7 +206,7 @@ def text_of(header, root=ROOT):
         body.append("")
     body += string.Template(CLOSING).substitute(stage=stage).splitlines()[1:]
 
-    how_to = string.Template((Path(__file__).parent / "single_header.txt").read_text())
+    how_to = string.Template((Path(__file__).parent / "single_header.txt").read_text(encoding="utf-8"))
 
     def opening(lines_before):
         contents = "\n".join(f"{lines_before + line + 1:5}  {what}" for line, what in begins)
@@ -218,7 +218,7 @@ def text_of(header, root=ROOT):
                 example=indented(example(stage)),
                 scene=box_of(stage).scene,
                 contents=contents,
-                license=(root / "LICENSE").read_text().rstrip(),
+                license=(root / "LICENSE").read_text(encoding="utf-8").rstrip(),
             )
         ) + [""]
 

@@ -1,0 +1,111 @@
+"""A folder that a student works in. Nothing in it is believed: neither its note,
+nor that its names lead where they seem to lead."""
+
+import hashlib
+import json
+import os
+import tempfile
+from pathlib import Path, PurePosixPath, PureWindowsPath
+
+from tools.tree import Failure
+
+NOTE = "handout.json"
+
+
+def sum_of(data):
+    """Of a file's bytes; line ends do not matter: git or an editor may change them."""
+    return hashlib.sha256(data.replace(b"\r\n", b"\n")).hexdigest()
+
+
+def note(stage, files):
+    """What a handout has brought, so that the next one knows what a student has
+    changed."""
+    sums = {path: sum_of(data) for path, data in files.items()}
+    return (json.dumps({"stage": stage, "files": sums}, indent=1) + "\n").encode()
+
+
+def is_inside(path):
+    """Whether a name can only mean something below the folder, on every system."""
+    windows = PureWindowsPath(path)
+    parts = PurePosixPath(path).parts
+    return bool(parts) and not windows.drive and not windows.root and ".." not in windows.parts
+
+
+class StudentTree:
+    def __init__(self, folder):
+        self.folder = folder
+        self.stage, self.sums = self.read_note()
+
+    def read_note(self):
+        """The stage, and the sums of what was brought."""
+        path = self.folder / NOTE
+        if not os.path.lexists(path):
+            raise Failure(f"{self.folder} is no handout: there is no {NOTE} in it")
+        damaged = Failure(
+            f"{path} is damaged, and says what is yours and what was handed out: "
+            f"`git checkout HEAD -- {NOTE}` brings it back, or copy it from the handout"
+        )
+        if self.what_is_at(NOTE) != "file":
+            raise damaged
+        try:
+            found = json.loads(path.read_text(encoding="utf-8"))
+            stage, sums = found["stage"], found["files"]
+        except (ValueError, KeyError, TypeError):
+            raise damaged from None
+        if type(stage) is not int or type(sums) is not dict:
+            raise damaged
+        return stage, {path: total for path, total in sums.items() if is_inside(path)}
+
+    def what_is_at(self, path):
+        """ "file", "" for nothing, or what is in the way of a file there."""
+        place = self.folder
+        *folders, name = PurePosixPath(path).parts
+        for part in folders:
+            place = place / part
+            if place.is_symlink():
+                return f"{place.relative_to(self.folder)} is a link, and a folder is expected"
+            if not os.path.lexists(place):
+                return ""
+            if not place.is_dir():
+                return f"{place.relative_to(self.folder)} is no folder, and a folder is expected"
+        place = place / name
+        if place.is_symlink():
+            return f"{path} is a link, and a file is expected"
+        if not os.path.lexists(place):
+            return ""
+        return "file" if place.is_file() else f"{path} is no file, and a file is expected"
+
+    def state_of(self, path, data):
+        """Of a place for `data`: "new", "same", "old" as it was handed out, or
+        "changed" by the student."""
+        if self.what_is_at(path) != "file":
+            return "new"
+        total = sum_of((self.folder / path).read_bytes())
+        if total == sum_of(data):
+            return "same"
+        return "old" if total == self.sums.get(path) else "changed"
+
+    def write(self, path, data):
+        """The file is the old one or the new one, whole, whenever this is broken off."""
+        target = self.folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        handle, beside = tempfile.mkstemp(prefix=".handout-", dir=target.parent)
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(data)
+            os.chmod(beside, mode_of(path))
+            os.replace(beside, target)
+        except BaseException:
+            Path(beside).unlink(missing_ok=True)
+            raise
+
+    def remove(self, path):
+        """If it is as it was handed out."""
+        if self.what_is_at(path) == "file":
+            target = self.folder / path
+            if sum_of(target.read_bytes()) == self.sums[path]:
+                target.unlink()
+
+
+def mode_of(path):
+    return 0o755 if path.endswith(".sh") else 0o644
