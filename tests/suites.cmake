@@ -1,24 +1,53 @@
 # The suites: one doctest program for the core, one for each stage. A student's
 # tree needs all of this, too.
 
-# A stage's header alone is a target, stageN_header, which reports its errors and
-# warnings. Everything else includes the header through a file that silences
-# its warnings.
-set(quiet_folder ${CMAKE_CURRENT_BINARY_DIR}/generated/quiet)
+# What a stage's functions do is compiled by itself, stageN_header, with the
+# compiler's warnings; tests see what the header declares, and are compiled once
+# (split_header.py). A header without exercises is included as it is.
+find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
+set(declared_folder ${CMAKE_CURRENT_BINARY_DIR}/generated/declared)
 file(GLOB stage_headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
      ${CMAKE_SOURCE_DIR}/stages/[1-9]_*/path_tracer.hpp)
 foreach(header IN LISTS stage_headers)
   string(REGEX REPLACE "stages/([1-9])_.*" "stage\\1" stage ${header})
-  set(source ${CMAKE_CURRENT_BINARY_DIR}/alone/${header}.cpp)
-  file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"\n")
-  add_library(${stage}_header OBJECT ${source})
-  target_link_libraries(${stage}_header PRIVATE lightwalk)
-  if(NOT MSVC)
-    target_compile_options(${stage}_header PRIVATE -O0)
+  set(code ${CMAKE_CURRENT_BINARY_DIR}/generated/${stage}.cpp)
+  file(STRINGS ${CMAKE_SOURCE_DIR}/${header} exercises REGEX "#region exercise")
+  if(exercises AND NOT MSVC)
+    add_custom_command(
+      OUTPUT ${declared_folder}/${header} ${code}
+      COMMAND
+        ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/split_header.py
+        ${CMAKE_SOURCE_DIR}/${header} ${declared_folder}/${header} ${code}
+      DEPENDS ${CMAKE_SOURCE_DIR}/${header}
+              ${CMAKE_CURRENT_SOURCE_DIR}/split_header.py
+      COMMENT "What ${header} declares"
+      VERBATIM)
+    list(APPEND declared_headers ${declared_folder}/${header})
+  else()
+    file(CONFIGURE OUTPUT ${code} CONTENT "#include \"${header}\"\n")
+    file(CONFIGURE OUTPUT ${declared_folder}/${header}
+         CONTENT "#pragma once\n#pragma GCC system_header\n#include \"${CMAKE_SOURCE_DIR}/${header}\"\n")
   endif()
-  file(CONFIGURE OUTPUT ${quiet_folder}/${header}
-       CONTENT "#pragma once\n#pragma GCC system_header\n#include \"${CMAKE_SOURCE_DIR}/${header}\"\n")
+  add_library(${stage}_header OBJECT ${code})
+  target_link_libraries(${stage}_header PRIVATE lightwalk)
+  target_compile_definitions(
+    ${stage}_header PRIVATE $<$<CXX_COMPILER_ID:GNU>:_GLIBCXX_ASSERTIONS>)
+  if(NOT MSVC)
+    target_compile_options(${stage}_header PRIVATE $<$<CONFIG:Release>:-O2>)
+  endif()
 endforeach()
+add_custom_target(declared_headers DEPENDS ${declared_headers})
+
+# link_stages(TARGET PATTERN): what tests see declared of the stages of such numbers.
+function(link_stages target pattern)
+  foreach(header IN LISTS stage_headers)
+    if(header MATCHES "^stages/(${pattern})_")
+      target_sources(${target}
+                     PRIVATE $<TARGET_OBJECTS:stage${CMAKE_MATCH_1}_header>)
+    endif()
+  endforeach()
+  add_dependencies(${target} declared_headers)
+endfunction()
 
 # doctest's code and the project's readers of scenes and images, compiled once.
 file(GLOB support CONFIGURE_DEPENDS support/*.cpp)
@@ -26,7 +55,7 @@ list(FILTER support EXCLUDE REGEX "/main\\.cpp$")
 add_library(test_support OBJECT ${support})
 target_link_libraries(test_support PUBLIC lightwalk doctest::doctest
                                           tomlplusplus::tomlplusplus)
-target_include_directories(test_support PUBLIC ${quiet_folder}
+target_include_directories(test_support PUBLIC ${declared_folder}
                                                ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(
   test_support
@@ -48,7 +77,6 @@ target_link_libraries(test_main PUBLIC test_support)
 
 # Runs a suite, reports how it ended, and stops a test that does not end. CTest
 # has no time limit: a busy machine may be as slow as an endless loop.
-find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 set(run_suite ${Python3_EXECUTABLE} -B -m tests.runner)
 
 # GCC 12's leak detection crashes on thread-local variables of libraries that
@@ -106,6 +134,9 @@ function(add_suite name)
   target_precompile_headers(${name}_tests PRIVATE ${folder}/given.hpp)
   target_link_libraries(${name}_tests PRIVATE test_support test_main program_manifest)
   target_compile_options(${name}_tests PRIVATE ${test_options})
+  if(stage_number)
+    link_stages(${name}_tests "[1-${stage_number}]")
+  endif()
   set_target_properties(${name}_tests PROPERTIES BUILD_RPATH_USE_ORIGIN ON
                                                  BUILD_RPATH "${program_folder}")
   add_dependencies(${name}_tests image_module)
