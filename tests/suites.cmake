@@ -8,6 +8,26 @@ find_package(Python3 3.11 REQUIRED COMPONENTS Interpreter)
 set(declared_folder ${CMAKE_CURRENT_BINARY_DIR}/generated/declared)
 file(GLOB stage_headers CONFIGURE_DEPENDS RELATIVE ${CMAKE_SOURCE_DIR}
      ${CMAKE_SOURCE_DIR}/stages/[1-9]_*/path_tracer.hpp)
+# stage_target(TARGET SOURCE): compiled as a stage's header is.
+function(stage_target target source)
+  add_library(${target} OBJECT ${source})
+  target_link_libraries(${target} PRIVATE lightwalk)
+  target_compile_definitions(
+    ${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:_GLIBCXX_ASSERTIONS>)
+  if(NOT MSVC)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
+  endif()
+endfunction()
+
+# What they include of the core, once.
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/generated/core_of_stages.cpp
+     CONTENT "")
+stage_target(core_of_stages
+             ${CMAKE_CURRENT_BINARY_DIR}/generated/core_of_stages.cpp)
+target_precompile_headers(
+  core_of_stages PRIVATE ${CMAKE_SOURCE_DIR}/common/scene/scene.hpp
+  ${CMAKE_SOURCE_DIR}/common/scene/surface.hpp)
+
 foreach(header IN LISTS stage_headers)
   string(REGEX REPLACE "stages/([1-9])_.*" "stage\\1" stage ${header})
   set(code ${CMAKE_CURRENT_BINARY_DIR}/generated/${stage}.cpp)
@@ -23,17 +43,13 @@ foreach(header IN LISTS stage_headers)
       COMMENT "What ${header} declares"
       VERBATIM)
     list(APPEND declared_headers ${declared_folder}/${header})
+    stage_target(${stage}_header ${code})
+    target_precompile_headers(${stage}_header REUSE_FROM core_of_stages)
   else()
     file(CONFIGURE OUTPUT ${code} CONTENT "#include \"${header}\"\n")
     file(CONFIGURE OUTPUT ${declared_folder}/${header}
          CONTENT "#pragma once\n#pragma GCC system_header\n#include \"${CMAKE_SOURCE_DIR}/${header}\"\n")
-  endif()
-  add_library(${stage}_header OBJECT ${code})
-  target_link_libraries(${stage}_header PRIVATE lightwalk)
-  target_compile_definitions(
-    ${stage}_header PRIVATE $<$<CXX_COMPILER_ID:GNU>:_GLIBCXX_ASSERTIONS>)
-  if(NOT MSVC)
-    target_compile_options(${stage}_header PRIVATE $<$<CONFIG:Release>:-O2>)
+    stage_target(${stage}_header ${code})
   endif()
 endforeach()
 add_custom_target(declared_headers DEPENDS ${declared_headers})

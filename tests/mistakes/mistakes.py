@@ -27,6 +27,7 @@ import sys
 import tomllib
 from pathlib import Path
 
+from tests import split_header
 from tests.runner import suite as runner
 from tests.runner import watch
 from tools.tree import BUILD, ROOT, Failure, stage_headers, test_names, tests_filter
@@ -93,19 +94,50 @@ def check_catalogue(mistakes):
 
 
 def link_command(target, folder):
-    """The words that link the target, without its own objects. File names are
-    relative to the folder in which the command runs."""
+    """The words that link the target. They name files as seen from the folder,
+    where they are run."""
     if (BUILD / "build.ninja").exists():
         command = ["ninja", "-C", BUILD, "-t", "commands", target]
         said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
         line = said.strip().splitlines()[-1].removeprefix(": && ").removesuffix(" && :")
     else:
         line = (folder / f"CMakeFiles/{target}.dir/link.txt").read_text()
-    return [word for word in shlex.split(line) if f"{target}.dir/" not in word]
+    return shlex.split(line)
+
+
+class Command:
+    """How the build compiles one file of a target, whose name begins so."""
+
+    def __init__(self, target, name):
+        commands = json.loads((BUILD / "compile_commands.json").read_text())
+        found = [
+            one
+            for one in commands
+            if f"/{target}.dir/" in one["command"] and Path(one["file"]).name.startswith(name)
+        ]
+        if len(found) != 1:
+            raise Failure(f"{target} is not compiled as one file")
+        self.source, self.folder = found[0]["file"], Path(found[0]["directory"])
+        self.words = shlex.split(found[0]["command"])
+
+    def words_for(self, source, target, options=()):
+        """The same for another file, with these options first."""
+        words = [str(source) if word == self.source else word for word in self.words]
+        words[words.index("-o") + 1] = str(target)
+        for option in ("-MD", "-MT", "-MF"):
+            if option in words:
+                place = words.index(option)
+                del words[place : place + (1 if option == "-MD" else 2)]
+        return [words[0], *options, *words[1:]]
+
+    def run(self, source, target, options=()):
+        run(self.words_for(source, target, options), "does not compile", self.folder)
+        return str(target)
 
 
 class Suite:
-    """How the build compiles and links one stage's suite."""
+    """How the build makes one stage's suite: of its tests, which see what the
+    header declares, and of what its functions do (tests/split_header.py)."""
 
     def __init__(self, stage):
         self.stage = stage
@@ -113,15 +145,10 @@ class Suite:
         self.header = next((path for path in stage_headers() if path.parent.name[0] == str(stage)), None)
         if not self.header:
             raise Failure(f"stage {stage} is not in this tree")
-        commands = json.loads((BUILD / "compile_commands.json").read_text())
-        found = [
-            one for one in commands if f"/{self.target}.dir/" in one["command"] and "/suite" in one["file"]
-        ]
-        if len(found) != 1:
-            raise Failure(f"{self.target} is not compiled as one file")
-        self.source = Path(found[0]["file"])
-        self.compile = shlex.split(found[0]["command"])
-        self.folder = Path(found[0]["directory"])
+        self.name = self.header.relative_to(ROOT)
+        self.tests, self.code = Command(self.target, "suite"), Command(f"stage{stage}_header", f"stage{stage}.")
+        self.declared = BUILD / "tests/generated/declared" / self.name
+        self.folder = self.tests.folder
         self.link = link_command(self.target, self.folder)
         self.given_key = self.hash_given()
 
@@ -148,34 +175,34 @@ class Suite:
         return whole.hexdigest()
 
     def key(self, header):
-        """A hash of all that the suite with this header is made from."""
-        whole = hashlib.sha256((self.given_key + header + repr(self.compile)).encode())
+        """Of all that the suite with this header is made from."""
+        whole = hashlib.sha256((self.given_key + header + repr(self.code.words)).encode())
         for source in sorted((ROOT / f"tests/stage{self.stage}").glob("*")):
             whole.update(source.read_bytes())
         return whole.hexdigest()
 
-    def compile_command(self, target, options):
-        """The build's command for the suite, with these options first."""
-        words = list(self.compile)
-        words[words.index("-o") + 1] = str(target)
-        for option in ("-MD", "-MT", "-MF"):
-            if option in words:
-                place = words.index(option)
-                del words[place : place + (1 if option == "-MD" else 2)]
-        return words[:1] + options + words[1:]
+    def split(self, folder):
+        """Splits the header that is in the folder; returns its code."""
+        code = folder / "code.cpp"
+        split_header.main(folder / self.name, folder / "declared" / self.name, code)
+        return code
 
-    def build(self, folder, options=()):
-        """Builds the suite with the header in the folder; returns the program, which
-        is in the same folder."""
-        target, program = folder / "suite.o", folder / self.target
-        run(self.compile_command(target, [f"-I{folder}", *options]), "does not compile", self.folder)
-        place = self.link.index("-o")
-        run(
-            [*self.link[:place], str(target), "-o", str(program), *self.link[place + 2 :]],
-            "does not link",
-            self.folder,
-        )
-        target.unlink()
+    def build(self, folder):
+        """Builds the suite with the header that is in the folder; returns the
+        program, which is there, too."""
+        program = folder / self.target
+        objects = [self.code.run(self.split(folder), folder / "code.o")]
+        gone = [f"stage{self.stage}_header.dir/"]
+        if (folder / "declared" / self.name).read_bytes() != self.declared.read_bytes():
+            options = [f"-I{folder / 'declared'}"]
+            objects.append(self.tests.run(self.tests.source, folder / "suite.o", options))
+            gone.append(f"{self.target}.dir/")
+        words = [word for word in self.link if not any(name in word for name in gone)]
+        place = words.index("-o")
+        words = [*words[:place], *objects, "-o", str(program), *words[place + 2 :]]
+        run(words, "does not link", self.folder)
+        for path in objects:
+            Path(path).unlink()
         return program
 
 
@@ -229,7 +256,7 @@ def run_suite(program, named=""):
 
 def build_with(header, suite, folder):
     """The suite's program, in the folder, with this text as its header."""
-    overlay = folder / suite.header.relative_to(ROOT)
+    overlay = folder / suite.name
     overlay.parent.mkdir(parents=True, exist_ok=True)
     overlay.write_text(header)
     return suite.build(folder)

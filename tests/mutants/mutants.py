@@ -52,8 +52,8 @@ class Outcome:
 
 
 def include_options(suite):
-    """The options of the suite's compiler that libclang needs."""
-    words = suite.compile
+    """What libclang has to know of how the suite is compiled."""
+    words = suite.code.words
     first = next(place for place, word in enumerate(words) if word.startswith("-"))
     own = subprocess.run(
         [*words[:first], "-print-file-name=include"], check=True, capture_output=True, text=True
@@ -130,12 +130,12 @@ class Stage:
                 return program
         overlay = self.folder / self.header.relative_to(ROOT)
         overlay.parent.mkdir(parents=True, exist_ok=True)
-        command = self.suite.compile_command(self.folder / "suite.o", [f"-I{self.folder}"])
         bad = {n for n in self.mutants if self.outcome(n) and self.outcome(n).state == "does not compile"}
         while True:
             chosen = {number: one for number, one in self.mutants.items() if number not in bad}
             text = schema.with_choices(self.source, chosen, self.functions)
             overlay.write_text(text)
+            command = self.suite.code.words_for(self.suite.split(self.folder), self.folder / "code.o")
             more = self.compile_errors(command, overlay, text)
             if not more:
                 break

@@ -56,8 +56,10 @@ def in_namespace(stage, name, space):
 
 
 def link_words(stage):
-    """How the build links the stage, which looks for the image library there."""
-    return [word.replace(r"\$ORIGIN", str(BUILD)) for word in link_command(f"stage{stage}", BUILD)]
+    """How the build links the stage, without its own objects; it looks for the
+    image library there."""
+    words = link_command(f"stage{stage}", BUILD)
+    return [word.replace(r"\$ORIGIN", str(BUILD)) for word in words if f"stage{stage}.dir/" not in word]
 
 
 def compile_words(stage):
