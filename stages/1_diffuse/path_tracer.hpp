@@ -381,8 +381,11 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 // `Sampling::uniform` or `Sampling::cosine`. It returns the direction and its
 // simplified weight. It gets a `Surface`: the hit as the path sees it. Its
 // `material` has the albedo `kd`. Its `normal` is on the side that the path
-// comes from. The tests compare the weights with `unsimplified_weight`, which
-// the program itself does not call.
+// comes from. A vector is multiplied by a `float` and not by an `int`: write
+// `2.0f * v`, not `2 * v`.
+//
+// The tests compare the weights with `unsimplified_weight`, which the program
+// itself does not call.
 
 // #region weight
 /// A direction to follow, and f_r cos(theta) / p for it.
@@ -535,7 +538,10 @@ inline Vec3 emitted(const Surface& surface) {
 // and `sampling_`, and needs from the core:
 //
 // - `scene_.nearest_hit(ray)` gives a `std::optional<Hit>`, the first surface
-//   on the ray. It is empty where the ray leaves the scene.
+//   on the ray. It is empty where the ray leaves the scene. After
+//   `const auto hit = scene_.nearest_hit(ray);` ask `if (!hit)` whether it is
+//   empty. If it is not, `*hit` is the `Hit`, and `hit->position` is one of
+//   its members.
 // - `Surface(*hit, *hit->material, -ray.direction)` is the hit as the path
 //   sees it. The last argument becomes `wo`.
 // - `surface.material.emits()` says whether it is a lamp.
