@@ -123,11 +123,13 @@ inline constexpr float distance_rounding = 0x1p-18f;
 //
 // An aside about `float` again. No ray can hit a point. But a point light may
 // hang in a ceiling, and then the ceiling must not be in the way. So here the
-// shadow ray ends a little *before* the light. Rounding grows with the
-// coordinates too, so `distance` is reduced by `distance_rounding / 2` times
-// a sum. Its terms are the distance and the light's largest coordinate
-// without sign, `max_abs_component(light.center)`. (The half is there because
-// the sum is twice the distance where both are alike.)
+// shadow ray ends a little *before* the light. Rounding grows with $d$ and
+// with the coordinates. So $d$ is reduced by `distance_rounding` times the
+// mean of two numbers: $d$, and the light's largest coordinate without sign.
+// You need not work this out. Copy it, with `distance` for $d$:
+//
+//     distance - distance_rounding / 2 *
+//         (distance + max_abs_component(light.center))
 
 // #region point-light
 inline LightSample sample_light(const PointLight& light, const Vec3& x,
@@ -413,6 +415,15 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 // that emit. These were asked. A plane that emits has no end, so no point on
 // it can be chosen uniformly. Triangles are not asked here, either. Only a
 // hit can find those two.
+//
+// Together these are the four cells of a table:
+//
+// - From the camera, a rectangle or a sphere is hit: the hit counts.
+// - From the camera, a plane or a triangle is hit: the hit counts.
+// - The previous vertex asked the lights, and a rectangle or a sphere is hit:
+//   the question counted, so the hit does not.
+// - The previous vertex asked the lights, and a plane or a triangle is hit:
+//   the hit counts.
 //
 // ![](who-counts)
 //
