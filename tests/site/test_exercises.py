@@ -130,8 +130,8 @@ class Exercises(Copy):
     def test_a_key_that_is_missing(self):
         self.task("minutes = 20\n", "", "exercise 3.4: minutes is missing")
 
-    def test_a_single_hint(self):
-        self.task('  "The part along the normal stays', "#", "3.1", "has 1 hints, not 3")
+    def test_two_hints(self):
+        self.task('  "The part along the normal stays', "#", "3.1", "has 2 hints, not 3")
 
     def test_a_recap_of_four_lines(self):
         self.task("  \"Snell's law bends a path", "#", "recap has 4 lines, not 5")

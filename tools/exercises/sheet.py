@@ -1,7 +1,7 @@
 """A chapter's exercises and questions: exercises.toml beside the header.
 
     recap = [five lines]
-    [[exercise]]     number, task, hints = [two], tests = [prefixes of the
+    [[exercise]]     number, task, hints = [three], tests = [prefixes of the
                      names of test cases], needs = [numbers], minutes, points;
                      later = [tests that check it, and need the whole stage]
     [[question]]     ask, answer; three of them
@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 from tools.exercises.marks import Exercise, exercises, order
 from tools.tree import ROOT, Failure, stage_headers, test_names, tests_filter
 
-QUESTIONS, RECAP, HINTS = 3, 5, (2, 3)
+QUESTIONS, RECAP, HINTS = 3, 5, 3
 KEYS = {
     "number": str,
     "task": str,
@@ -112,8 +112,8 @@ def checked(entry, mark, where):
             raise Failure(f"{where}: {key} is a list of strings")
     for key in entry.keys() - KEYS.keys() - OPTIONAL.keys():
         raise Failure(f"{where}: there is no key {key}")
-    if len(entry["hints"]) not in HINTS:
-        raise Failure(f"{where}: has {len(entry['hints'])} hints, not 3")
+    if len(entry["hints"]) != HINTS:
+        raise Failure(f"{where}: has {len(entry['hints'])} hints, not {HINTS}")
     for key in ("minutes", "points"):
         if entry[key] < 1:
             raise Failure(f"{where}: {key} is {entry[key]}, not 1 or more")
