@@ -40,6 +40,12 @@ TEST_CASE("unit vector") {
   const Vec3 expected(1, 2, 3);
   CHECK(Vec3(0.1f, 0.2f, 0.3f) == expected);
 }
+TEST_CASE("unit sentence") {
+  const char* const name = zero == 0 ? "a ball" : "a rectangle";
+  CAPTURE(name);
+  INFO(name, " is hit ", zero, " times, expected 1");
+  CHECK(zero == 1);
+}
 TEST_CASE("unit factor") {
   check_value("f = kd/pi", 0.5, 0.5 / 3.14159265);
 }

@@ -71,6 +71,11 @@ class Reports(Runner):
     def test_vectors_are_printed(self):
         self.assert_says("unit vector", "(0.1, 0.2, 0.3) == (1, 2, 3)", "(tests/command_line/bad_suite.cpp:")
 
+    def test_a_sentence_needs_no_code(self):
+        text = self.assert_says("unit sentence", "a ball is hit 0 times, expected 1", "bad_suite.cpp:")
+        self.assertNotIn("==", text)
+        self.assertNotIn("0x", text)
+
     def test_factors_have_names(self):
         self.assert_says("unit factor", "f = kd/pi: 0.5, expected 0.159155: pi times what it should be")
 

@@ -9,7 +9,8 @@ build/mistakes/table.md and table.json. It ends with 1 if:
 - the text to replace is not in the header exactly once;
 - the changed header does not compile;
 - no test catches the mistake;
-- a test fails for a variant that is no mistake (verdict = "pass").
+- a test fails for a variant that is no mistake (verdict = "pass");
+- a failure prints an address, which means nothing to a reader.
 
 Results are kept: a mistake runs again only after a change.
 """
@@ -57,6 +58,7 @@ class Result:
     end: str  # "", "time limit" or "crash"
     error: str  # why there is no result
     noise: list = dataclasses.field(default_factory=list)  # factors that the suite reported
+    says: dict = dataclasses.field(default_factory=dict)  # of each of these tests, the first failure
 
 
 def read_mistakes(path):
@@ -246,12 +248,14 @@ def run_program(program, *options, seconds=None, environment=None):
 
 
 def run_suite(program, named=""):
-    """The tests that failed, how the program ended, and the noise that it reported.
+    """The tests that failed, how the program ended, the noise that it reported,
+    and what the tests say.
 
     With `named`, runs only tests whose names begin with it.
     """
     outcome = run_program(program, *([f"-tc={tests_filter([named])}"] if named else []))
-    return outcome.caught_by, outcome.end, noted_noise(outcome.notes)
+    says = {test.name: test.failed[0][0] for test in outcome.tests if test.failed}
+    return outcome.caught_by, outcome.end, noted_noise(outcome.notes), says
 
 
 def build_with(header, suite, folder):
@@ -284,11 +288,11 @@ def try_mistake(mistake, suite, folder, named_first=False):
     try:
         program = build_with(header, suite, folder)
         if named:
-            result.caught, result.end, result.noise = run_suite(program, named)
+            result.caught, result.end, result.noise, result.says = run_suite(program, named)
         if result.caught:
             result.key += named
         else:
-            result.caught, result.end, result.noise = run_suite(program)
+            result.caught, result.end, result.noise, result.says = run_suite(program)
         program.unlink()
     except Failure as failure:
         result.error = str(failure)
@@ -300,6 +304,9 @@ def judge(mistake, result):
     """A word for the table, and an error, which may be empty."""
     if result.error:
         return "no result", result.error
+    for test, says in result.says.items():
+        if re.search(r"\b0x[0-9a-f]{4}", says):
+            return "prints an address", f'"{test}" prints an address: {says}'
     caught = bool(result.caught or result.end)
     if mistake.verdict == "pass":
         if caught:

@@ -142,8 +142,8 @@ material = "lamp"
     for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
       const PathTracer tracer(scene, settings(max_bounces, sampling));
       const Pixel pixel = estimate(tracer, outwards, 40'000);
-      check_mean("kd ke F (1 + q + ...), " + std::to_string(max_bounces) +
-                     " bounces, " +
+      check_mean("kd ke F (1 + q + ...), " + bounces_in_words(max_bounces) +
+                     ", " +
                      (sampling == Sampling::uniform ? "uniform" : "cosine") +
                      " sampling",
                  pixel, 0, expected);

@@ -57,7 +57,7 @@ TEST_CASE("a lamp is as bright from the side as from the front") {
 // the light of the sky on the side that it is seen from.
 TEST_CASE("a wall scatters to the side that it is seen from") {
   for (const std::string normal : {"[0, 1, 0]", "[0, -1, 0]"}) {
-    CAPTURE(normal);
+    INFO("the wall's normal is ", normal);
     const Scene scene = scene_text(materials + plane(normal, "0", "floor") +
                                    plane("[0, -1, 0]", "1", "sky") +
                                    plane("[0, 1, 0]", "1", "dim"));
@@ -122,7 +122,7 @@ TEST_CASE("a floor seen from anywhere under half a sky is half as bright") {
                          "[3, 0, 4]"};
   const double whole = 0.8 * 2;
   for (const std::string wall : walls) {
-    CAPTURE(wall);
+    INFO("the sky's normal is ", wall);
     const Scene scene =
         scene_text(materials + plane("[0, 1, 0]", "1", "floor") +
                    plane(wall, "5", "sky"));

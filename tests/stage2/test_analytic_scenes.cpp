@@ -223,9 +223,8 @@ material = "lamp"
     term *= q;
     const Pixel pixel = estimate(PathTracer(scene, bounces(max_bounces)),
                                  {{0.6f, 0, 0}, {1, 0, 0}}, 40'000);
-    check_mean(
-        "kd ke F (1 + q + ...), " + std::to_string(max_bounces) + " bounces",
-        pixel, 0, expected);
+    check_mean("kd ke F (1 + q + ...), " + bounces_in_words(max_bounces),
+               pixel, 0, expected);
   }
 }
 

@@ -61,7 +61,6 @@ TEST_SUITE_BEGIN("units");
 TEST_CASE("a point light at the origin, in a wall, lights what faces it") {
   Random random(7, 0, 0);
   for (int i = 0; i < 20; ++i) {
-    CAPTURE(i);
     const Vec3 up = any_direction(random);
     const Lit lit(up, -2.0f * up, Vec3(0), Vec3(0));
     const int count = lit.places_with_light();
@@ -74,7 +73,6 @@ TEST_CASE("a point light at the origin, in a wall, lights what faces it") {
 TEST_CASE("a wall one unit before a distant point light blocks its light") {
   Random random(9, 0, 0);
   for (int i = 0; i < 20; ++i) {
-    CAPTURE(i);
     const Vec3 up = any_direction(random);
     const Lit lit(up, Vec3(0), 1000.0f * up, 999.0f * up);
     const int count = lit.places_with_light();

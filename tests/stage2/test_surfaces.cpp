@@ -162,7 +162,7 @@ TEST_CASE("no light from outside gets into a ball") {
 // matter. The light is 2 away: kd/pi I / 4.
 TEST_CASE("a thin wall is lit on the side that it is seen from") {
   for (const std::string normal : {"[0, 1, 0]", "[0, -1, 0]"}) {
-    CAPTURE(normal);
+    INFO("the wall's normal is ", normal);
     const Scene scene = scene_text(materials + plane(normal, "0", "floor") +
                                    point_light("[0, 2, 0]"));
     const PathTracer tracer(scene, bounces(1));

@@ -60,7 +60,7 @@ TEST_CASE("a lamp is seen in a mirror as bright as it is") {
         "edge_v = [2, 0, 0]\n",
         "type = \"sphere\"\ncenter = [0, 2, 2]\nradius = 1\n",
         "type = \"plane\"\nnormal = [0, 0, -1]\ndistance = 2\n"}) {
-    CAPTURE(lamp);
+    INFO("the lamp is\n", lamp);
     const Scene scene = scene_text(floor_of("{ ks = 0.5 }") + "[[shapes]]\n" +
                                    lamp + "material = \"lamp\"\n");
     check_radiance<PathTracer>("the mirror", scene, down, with_bounces(1),
@@ -97,7 +97,7 @@ TEST_CASE("without specular lobes the picture is stage 2's") {
   for (const std::string name :
        {"cornell_box_point_diffuse", "cornell_box_lamp_diffuse",
         "cornell_box_ceiling_diffuse"}) {
-    CAPTURE(name);
+    INFO("scene ", name);
     Scene scene = scene_file(name, 24, 24);
     RenderSettings settings;
     settings.max_bounces = 4;

@@ -24,6 +24,18 @@ Material material(const Vec3& kd, const Vec3& ks, const Vec3& kt) {
   return result;
 }
 
+constexpr const char* events[] = {"diffuse", "specular", "refraction",
+                                  "absorption"};
+constexpr const char* coefficients[] = {"kd", "ks", "kt"};
+
+/// Of the three lobes, in this order.
+Vec3 probabilities(const Vec3& kd, const Vec3& ks, const Vec3& kt,
+                   int bounce) {
+  const LobeProbabilities p =
+      lobe_probabilities(material(kd, ks, kt), bounce);
+  return {p.diffuse, p.specular, p.refraction};
+}
+
 /// The index of a choice among diffuse, specular, refraction, absorption.
 std::size_t event_of(const std::optional<LobeChoice>& choice) {
   return choice ? static_cast<std::size_t>(choice->lobe) : 3;
@@ -53,8 +65,6 @@ void check_frequencies(const LobeProbabilities& p) {
           : chi_squared_test(observed, expected).p_value > significance;
   if (right) return;
   std::string says = "of 100000 events";
-  const char* const events[] = {"diffuse", "specular", "refraction",
-                                "absorption"};
   for (std::size_t i = 0; i < 4; ++i) {
     says += std::string(", ") + events[i] + " " + text_of(observed[i]) +
             ", expected " + text_of(std::round(expected[i]));
@@ -71,19 +81,21 @@ TEST_CASE("every lobe with a coefficient has a chance") {
   const Vec3 red(0.3f, 0, 0), green(0, 0.3f, 0), blue(0, 0, 0.3f), none(0);
   for (const Vec3& k : {red, green, blue, Vec3(0.3f)}) {
     for (const int bounce : {0, 1, 20}) {
-      INFO("one lobe with the coefficient ", k, ", bounce ", bounce);
-      const auto d = lobe_probabilities(material(k, none, none), bounce);
-      CHECK(d.diffuse > 0);
-      CHECK(d.specular == 0);
-      CHECK(d.refraction == 0);
-      const auto s = lobe_probabilities(material(none, k, none), bounce);
-      CHECK(s.diffuse == 0);
-      CHECK(s.specular > 0);
-      CHECK(s.refraction == 0);
-      const auto t = lobe_probabilities(material(none, none, k), bounce);
-      CHECK(t.diffuse == 0);
-      CHECK(t.specular == 0);
-      CHECK(t.refraction > 0);
+      const Vec3 alone[] = {probabilities(k, none, none, bounce),
+                            probabilities(none, k, none, bounce),
+                            probabilities(none, none, k, bounce)};
+      for (int lobe = 0; lobe < 3; ++lobe) {
+        for (int i = 0; i < 3; ++i) {
+          const float p = alone[lobe][i];
+          if (i == lobe ? p > 0 : p == 0) continue;
+          FAIL_CHECK("the probability of the "
+                     << events[i] << " lobe is " << p << " at bounce "
+                     << bounce << " where the only coefficient is "
+                     << coefficients[lobe] << " = " << k
+                     << ", expected "
+                     << (i == lobe ? "more than 0" : "0"));
+        }
+      }
     }
   }
 }
@@ -93,7 +105,8 @@ TEST_CASE("lobes of different colors each have a chance") {
   const LobeProbabilities p =
       lobe_probabilities(material(red, green, blue), 0);
   INFO("kd is red, ks green, kt blue, and their probabilities are ",
-       p.diffuse, ", ", p.specular, ", ", p.refraction);
+       p.diffuse, ", ", p.specular, ", ", p.refraction,
+       ", expected all above 0");
   CHECK(p.diffuse > 0);
   CHECK(p.specular > 0);
   CHECK(p.refraction > 0);
@@ -111,13 +124,13 @@ TEST_CASE("the probabilities never add to more than the limit") {
       k[2][c] = (1 - u.x) * (1 - u.y);
     }
     for (const int bounce : {0, 15, 16, 1000}) {
-      CAPTURE(bounce);
       const auto p = lobe_probabilities(material(k[0], k[1], k[2]), bounce);
       const float sum = p.diffuse + p.specular + p.refraction;
-      INFO("kd = ", k[0], ", ks = ", k[1], ", kt = ", k[2],
-           ": the probabilities ", p.diffuse, ", ", p.specular, ", ",
-           p.refraction, " add to ", sum);
-      REQUIRE(sum <= (bounce < 16 ? 1 : 0.95f) + 1e-6f);
+      const float limit = bounce < 16 ? 1 : 0.95f;
+      INFO("kd = ", k[0], ", ks = ", k[1], ", kt = ", k[2], " at bounce ",
+           bounce, ": the probabilities ", p.diffuse, ", ", p.specular, ", ",
+           p.refraction, " add to ", sum, ", expected at most ", limit);
+      REQUIRE(sum <= limit + 1e-6f);
     }
   }
 }
@@ -129,10 +142,14 @@ TEST_CASE("maxima that add to more than 1 are scaled down to fit the bar") {
   const auto p = lobe_probabilities(
       material({0.9f, 0, 0}, {0, 0.9f, 0}, {0, 0, 0.9f}), 0);
   INFO("diffuse ", p.diffuse, ", specular ", p.specular, ", refraction ",
-       p.refraction, " for maxima of 0.9 each");
+       p.refraction,
+       " for maxima of 0.9 each, expected 1 in all, or less");
   CHECK(p.diffuse + p.specular + p.refraction <= 1 + 1e-6f);
   const auto grey =
       lobe_probabilities(material(Vec3(0.3f), Vec3(0.3f), Vec3(0.3f)), 0);
+  INFO("diffuse ", grey.diffuse, ", specular ", grey.specular,
+       ", refraction ", grey.refraction,
+       " for kd = ks = kt = 0.3, expected three times the same");
   CHECK(grey.diffuse == doctest::Approx(grey.specular));
   CHECK(grey.specular == doctest::Approx(grey.refraction));
 }
@@ -142,7 +159,8 @@ TEST_CASE("from bounce 16 on lossless materials may end, too") {
   for (const int bounce : {16, 17, 100, 4000}) {
     const auto late = lobe_probabilities(glass, bounce);
     INFO("at bounce ", bounce, " a path on lossless glass survives with ",
-         late.specular + late.refraction, ", expected 0.95 at most");
+         late.specular + late.refraction,
+         ", expected 0.95 at most, and more than 0.5");
     CHECK(late.specular + late.refraction <= 0.95f + 1e-6f);
     CHECK(late.specular + late.refraction > 0.5f);
   }
@@ -168,7 +186,6 @@ TEST_CASE("the probability that comes with a lobe is its own") {
   int absorbed = 0;
   for (const float xi : {0.05f, 0.15f, 0.25f, 0.35f, 0.45f, 0.55f, 0.65f,
                          0.75f, 0.85f, 0.95f}) {
-    CAPTURE(xi);
     const auto choice = choose_lobe(p, xi);
     absorbed += !choice;
     if (!choice) continue;
@@ -182,18 +199,22 @@ TEST_CASE("the probability that comes with a lobe is its own") {
 }
 
 TEST_CASE("a lobe with probability 0 is never chosen, not even by xi = 0") {
-  using stage3::Lobe;
   const float largest = 1 - 0x1p-24f;
-  const auto chosen = [](const LobeProbabilities& p, float xi) {
-    const auto choice = choose_lobe(p, xi);
-    return choice ? std::optional(choice->lobe) : std::nullopt;
+  const auto check = [](const LobeProbabilities& p, float xi,
+                        std::size_t expected) {
+    const std::size_t event = event_of(choose_lobe(p, xi));
+    if (event == expected) return;
+    FAIL_CHECK("xi = " << xi << " with the probabilities "
+                       << Vec3(p.diffuse, p.specular, p.refraction)
+                       << " chooses the event " << events[event]
+                       << ", expected " << events[expected]);
   };
-  CHECK(chosen({0, 1, 0}, 0) == Lobe::specular);
-  CHECK(chosen({0, 0, 1}, 0) == Lobe::refraction);
-  CHECK(chosen({0, 0, 0}, 0) == std::nullopt);
-  CHECK(chosen({1, 0, 0}, largest) == Lobe::diffuse);
-  CHECK(chosen({0, 1, 0}, largest) == Lobe::specular);
-  CHECK(chosen({0, 0, 1}, largest) == Lobe::refraction);
+  check({0, 1, 0}, 0, 1);
+  check({0, 0, 1}, 0, 2);
+  check({0, 0, 0}, 0, 3);
+  check({1, 0, 0}, largest, 0);
+  check({0, 1, 0}, largest, 1);
+  check({0, 0, 1}, largest, 2);
 }
 
 TEST_SUITE_END();

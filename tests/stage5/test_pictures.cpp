@@ -17,7 +17,7 @@ TEST_CASE("without fresnel and patterns the picture is stage 4's") {
        {"cornell_box_point", "cornell_box_ceiling",
         "cornell_box_lamp_diffuse", "plastic", "coloured_lobes", "glass_cube",
         "mirror_corridor"}) {
-    CAPTURE(name);
+    INFO("scene ", name);
     Scene scene = scene_file(name, 20, 20);
     RenderSettings settings;
     settings.samples_per_pixel = 8;
@@ -81,8 +81,8 @@ TEST_CASE("the globe's picture is the map: land where the map has land") {
     const float v = 0.5f + std::asin(normal.y) / pi;
     const Vec3 kd = stage5::material_at(scene, *hit, -normal).kd;
     const Vec3 expected = stage5::image_color(map, {u, v}, true);
-    INFO("kd at ", normal, " of the globe is ", kd, ", and the map's color ",
-         expected);
+    INFO("kd at ", normal, " of the globe is ", kd,
+         ", expected the map's color, ", expected);
     CHECK(length(kd - expected) < 1e-3f);
   }
 }

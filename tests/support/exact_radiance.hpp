@@ -106,7 +106,7 @@ void check_radiance(const std::string& what, const Scene& scene,
                 std::sqrt(pixel.variance(c)) <= rounding;
   }
   if (!all_right) pixel = estimate(tracer, ray, samples);
-  INFO(what, ", at most ", settings.max_bounces, " bounces, ",
+  INFO(what, ", at most ", bounces_in_words(settings.max_bounces), ", ",
        std::string(settings.sampling == Sampling::uniform ? "uniform"
                                                           : "cosine"),
        " sampling");

@@ -40,7 +40,7 @@ inline void check_directions(const HemisphereSampler& sampler) {
       INFO("wi = ", wi, " for the normal ", normal, " and u = ", u);
       require_value("length of wi", static_cast<double>(length(wi)), 1, 1e-5);
       const float cosine = dot(wi, normal);
-      INFO("it is below the surface: n . wi = ", cosine);
+      INFO("n . wi is ", cosine, ", expected 0 or more: above the surface");
       REQUIRE(cosine > -1e-6f);
     }
   }

@@ -26,9 +26,20 @@ inline std::string text_of(const Vec3& v) {
   return text.str();
 }
 
+/// "1 bounce", "2 bounces".
+inline std::string bounces_in_words(int count) {
+  return std::to_string(count) + (count == 1 ? " bounce" : " bounces");
+}
+
 }  // namespace lightwalk::tests
 
 namespace doctest {
+
+/// doctest would print its address.
+template <>
+struct StringMaker<const char*> {
+  static String convert(const char* text) { return text; }
+};
 
 template <>
 struct StringMaker<lightwalk::Vec2> {
