@@ -21,8 +21,8 @@ float cosine(double degrees) {
   return static_cast<float>(std::cos(degrees * std::acos(-1.0) / 180));
 }
 
-/// F must be that of Fresnel's equations or, also accepted, that of Schlick's
-/// curve: R0 + (1 - R0) (1 - cos)^5, with the cosine on the side outside.
+/// F must be that of Fresnel's equations. Schlick's approximation is R0 +
+/// (1 - R0) (1 - cos)^5, with the cosine on the side outside.
 void check_fresnel(double degrees, float eta_ratio, double exact) {
   const double n = static_cast<double>(eta_ratio);
   const double c = std::cos(degrees * std::acos(-1.0) / 180);
@@ -35,11 +35,14 @@ void check_fresnel(double degrees, float eta_ratio, double exact) {
   const auto is = [f](double value) {
     return std::abs(f - value) < 1e-4 * value + 1e-9;
   };
-  if (is(exact) || is(schlick)) return;
+  if (is(exact)) return;
   FAIL_CHECK("F at " << degrees << " degrees with eta_o/eta_i = " << n << ": "
                      << f << ", expected " << exact
-                     << " by Fresnel's equations, or " << schlick
-                     << " by Schlick's curve");
+                     << " by Fresnel's equations"
+                     << std::string(is(schlick)
+                                        ? "; Schlick's approximation has "
+                                          "this value, and is exercise 5.5"
+                                        : ""));
 }
 
 }  // namespace
@@ -62,7 +65,9 @@ TEST_CASE("glass seen squarely reflects 4 %, from either side") {
 TEST_CASE("at grazing angles everything is reflected") {
   check_value("F at 90 degrees into glass",
               static_cast<double>(fresnel_reflectance(0, into)), 1);
-  CHECK(fresnel_reflectance(cosine(89.99), into) > 0.99f);
+  const float near = fresnel_reflectance(cosine(89.99), into);
+  INFO("F at 89.99 degrees into glass is ", near, ", expected above 0.99");
+  CHECK(near > 0.99f);
 }
 
 // At Brewster's angle, arctan(1.5) = 56.3099 degrees, r_p = 0 and F = r_s^2/2.
@@ -108,13 +113,20 @@ TEST_CASE("no reflection where the index does not change") {
   }
 }
 
+// Up to rounding: the equations can also be written with the sines and tangents
+// of angles, and then F may be 1.0000001.
 TEST_CASE("F lies in [0, 1] and is a number, for every angle and index") {
+  constexpr float rounding = 1e-5f;
   for (const float eta : {0.1f, 0.5f, 0.999f, 1.0f, 1.001f, 1.5f, 10.0f}) {
     for (int i = 0; i <= 1000; ++i) {
-      const float f = fresnel_reflectance(static_cast<float>(i) / 1000, eta);
-      INFO("F is ", f, " for eta_o/eta_i = ", eta, " and cos = ", i / 1000.0);
-      REQUIRE(f >= 0);
-      REQUIRE(f <= 1);
+      const float cos_o = static_cast<float>(i) / 1000;
+      const float f = fresnel_reflectance(cos_o, eta);
+      if (f >= -rounding && f <= 1 + rounding) continue;
+      FAIL("F is " << f << " at "
+                   << std::acos(static_cast<double>(cos_o)) * 180 /
+                          std::acos(-1.0)
+                   << " degrees with eta_o/eta_i = " << eta
+                   << ", expected from 0 to 1");
     }
   }
 }

@@ -53,9 +53,10 @@ bool check_mean(const std::string& what, const Pixel& pixel, int channel,
                 double expected, double rounding = 1e-6,
                 SourceLine place = {__builtin_FILE(), __builtin_LINE()});
 
-/// Fails if the samples' variance is less than `expected`, up to a relative
-/// error of `epsilon`: then something is not random that should be. More
-/// variance is only reported, for a right program may leave more to chance.
+/// Fails if the samples have no variance: then something is not random that
+/// should be. Another variance than `expected`, up to a relative error of
+/// `epsilon`, is only reported: a right program may leave more to chance, or
+/// follow two paths from the first surface and have half of the variance.
 bool check_variance(const std::string& what, const Pixel& pixel, int channel,
                     double expected, double epsilon,
                     SourceLine place = {__builtin_FILE(), __builtin_LINE()});

@@ -69,11 +69,9 @@ void check_golden(int stage, const std::string& name) {
     FAIL_CHECK(why);
   }
   if (same && (noise > 1.5 || noise < 0.6)) {
-    MESSAGE(name, ": the picture is right, and its variance is ", noise,
-            " times the golden's: ",
-            std::string(noise > 1 ? "noisier than it should be"
-                                  : "suspiciously quiet (clamped samples? "
-                                    "no roulette?)"));
+    MESSAGE(name, ": correct on average; ", noise,
+            " times the noise of the course's own program",
+            std::string(noise > 1 ? "" : ": is roulette off?"));
   }
 }
 

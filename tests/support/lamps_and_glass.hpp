@@ -65,10 +65,11 @@ void check_colored_lobes() {
       with_bounces(1), DoubleVec3(0.7, 0.8 + 0.1 / 2.25, 0.1 + 0.8 / 2.25));
 }
 
-/// Radiance 1 outside is eta^2 inside.
+/// Radiance 1 outside is eta^2 inside: more in glass, less in a bubble of air
+/// under water, whose eta is 0.75.
 template <class PathTracer>
 void check_room_seen_from_inside_glass() {
-  for (const char* eta : {"1.33", "1.5", "2.42"}) {
+  for (const char* eta : {"0.75", "1.33", "1.5", "2.42"}) {
     const double index = std::strtod(eta, nullptr);
     check_radiance<PathTracer>(
         std::string("a white room seen from inside glass of ") + eta,
@@ -87,6 +88,39 @@ void check_lamp_in_a_mirror_lights_the_floor() {
                              mirrored_lamp(), {{0, 0.5f, 0}, {0, -1, 0}},
                              with_bounces(2),
                              DoubleVec3(mirrored_lamp_radiance()), 100'000);
+}
+
+/// From the floor through two surfaces of glass to a lamp that the floor has
+/// sampled, though glass hides it: glass samples no lights, so the lamp counts
+/// when it is hit.
+///
+/// A ball of radius r within two balls of glass around the same center looks
+/// eta^2 times as large from outside, since each surface bends a ray that
+/// passes the center at the distance b to one at b / eta. Its radiance is
+/// kt^2 ke / eta^4, so the floor gets kd kt^2 ke (r/d)^2, and eta cancels.
+/// That holds while the images of the ball are smaller than the balls of
+/// glass: 0.6 < 1 and 0.9 < 1.5. Glass of eta = 1 bends nothing, and the square
+/// gives kd kt^2 ke 4 F.
+template <class PathTracer>
+void check_lamp_behind_glass_lights_the_floor() {
+  const std::string floor =
+      "[materials]\nfloor = { kd = 0.5 }\nlamp = { ke = 25 }\n"
+      "glass = { kt = 0.9, eta = 1.5 }\nclear = { kt = 0.9, eta = 1 }\n" +
+      text::plane("0, 1, 0", "0", "floor");
+  const Ray down{{0, 0.1f, 0}, {0, -1, 0}};
+  check_radiance<PathTracer>(
+      "a floor under a ball that shines within two balls of glass",
+      scene_text(floor + text::sphere("0, 2, 0", "1.5", "glass") +
+                 text::sphere("0, 2, 0", "1", "glass") +
+                 text::sphere("0, 2, 0", "0.4", "lamp")),
+      down, with_bounces(3), DoubleVec3(0.5 * 0.81 * 25 * 0.2 * 0.2));
+  check_radiance<PathTracer>(
+      "a floor under a rectangle that shines behind a pane of eta = 1",
+      scene_text(floor + text::plane("0, -1, 0", "0.5", "clear") +
+                 text::plane("0, 1, 0", "-0.7", "clear") +
+                 text::rectangle("-1, 1, -1", "2, 0, 0", "0, 0, 2", "lamp")),
+      down, with_bounces(3),
+      DoubleVec3(0.5 * 0.81 * 25 * 4 * rectangle_form_factor(1, 1, 1)));
 }
 
 /// Shadow rays do not go through glass: glass bends light, so a straight line
@@ -113,7 +147,8 @@ double rays_of_a_path(const Scene& scene, const Ray& ray, int count) {
 }
 
 /// Light that glass reflects totally forever: from bounce 16 on each path
-/// survives with 0.95 at most, so it has about 16 + 20 rays.
+/// survives with 0.95 at most, so it has about 17 + 20 rays. A program may
+/// follow two such paths from the first surface.
 template <class PathTracer>
 void check_endless_path_ends() {
   const Scene scene = in_white_room("{ kt = 1 }", ball("thing"));
@@ -121,8 +156,9 @@ void check_endless_path_ends() {
   check_radiance<PathTracer>("light that never leaves a ball", scene, grazing,
                              {}, DoubleVec3(0));
   const double rays = rays_of_a_path<PathTracer>(scene, grazing, 1000);
-  INFO("rays of a path in the ball: ", rays, ", expected at most ", 17 + 20);
-  CHECK(rays < 50);
+  INFO("a sample in the ball has ", rays, " rays, expected about ", 17 + 20,
+       ", or twice as many if it is of two paths");
+  CHECK(rays < 2.2 * (17 + 20));
 }
 
 /// Roulette starts at bounce 16 at the latest, and then lets at most half of

@@ -36,7 +36,7 @@ material = "wall"
   const PathTracer tracer(scene, settings);
   const Ray ray{{0.2f, 0.1f, -0.3f}, normalize(Vec3(1, 2, 3))};
 
-  std::size_t longest = 0;
+  int longest = 0;
   // kd + kd^2 + ... + kd^5, of red.
   EachOrMean seen(0.8 * (1 - std::pow(0.8, 5)) / 0.2, 1e-5);
   for (std::uint64_t sample = 0; sample < 1000; ++sample) {
@@ -44,45 +44,79 @@ material = "wall"
     Random random(1, 0, sample);
     const PathListener listener(log);
     const Vec3 radiance = tracer.radiance(ray, random);
-    REQUIRE_MESSAGE(!log.vertices.empty(), "log_vertex was never called");
-    longest = std::max(longest, log.vertices.size());
+    if (log.vertices.empty()) FAIL("log_vertex was never called");
 
+    // A program may follow several branches, one after the other.
     Vec3 all_added(0);
-    bool told_any = false;
-    for (const PathVertex& vertex : log.vertices) {
+    bool told_any = false, one_path = true;
+    for (std::size_t i = 0; i < log.vertices.size(); ++i) {
+      const PathVertex& vertex = log.vertices[i];
+      one_path = one_path && vertex.bounce == static_cast<int>(i);
       told_any = told_any || vertex.sum != Vec3(0);
       if (vertex.bounce < max_bounces) all_added += vertex.throughput * added;
+      longest = std::max(longest, vertex.bounce);
     }
-    const bool usual = max_component(glm::abs(radiance - all_added)) <= 1e-5f;
+    const bool usual =
+        one_path && told_any &&
+        max_component(glm::abs(radiance - all_added)) <= 1e-5f;
     if (!lights.empty()) seen.add(radiance.x);
     Vec3 sum(0), told(0);
-    Vec3 shares(1);  // of throughput in the three channels, red's being 1
+    int bounce = -1;
     for (std::size_t i = 0; i < log.vertices.size(); ++i) {
       const PathVertex& vertex = log.vertices[i];
       const Vec3& throughput = vertex.throughput;
-      CHECK(vertex.bounce == static_cast<int>(i));
-      if (i == 0) CHECK(throughput.x == 1);
+      const std::string where =
+          "vertex " + std::to_string(i) + " of the log of a path: ";
+      const bool follows = vertex.bounce >= (i == 0 ? 0 : 1) &&
+                           vertex.bounce <= bounce + 1 &&
+                           vertex.bounce <= max_bounces;
+      if (!follows) {
+        FAIL(where << "bounce " << vertex.bounce << ", expected "
+                   << bounce + 1);
+      }
+      bounce = vertex.bounce;
+      if (i == 0 && throughput != Vec3(1)) {
+        FAIL(where << "throughput " << throughput << ", expected "
+                   << Vec3(1));
+      }
       for (int c = 0; c < 3; ++c) {
-        INFO("channel ", c, " at vertex ", i, ": throughput ", throughput[c],
-             ", sum before it ", vertex.sum[c], ", expected ", sum[c],
-             ": each vertex adds its throughput times kd. If tests of light "
-             "fail, too, start with those");
-        CHECK(throughput[c] > 0);
-        CHECK(throughput[c] / throughput.x ==
-              doctest::Approx(shares[c]).epsilon(1e-5));
-        if (usual && told_any) {
-          CHECK(vertex.sum[c] == doctest::Approx(sum[c]).epsilon(1e-5));
+        const std::string in_channel = ", channel " + std::to_string(c);
+        // Red's share is 1.
+        const float share = std::pow(kd[c] / kd.x, float(bounce));
+        if (!(throughput[c] > 0) ||
+            std::abs(throughput[c] / throughput.x - share) > 1e-5f) {
+          FAIL(where << "throughput " << throughput[c] << in_channel
+                     << ", expected kd^" << bounce << ", "
+                     << share * throughput.x << " for red's "
+                     << throughput.x);
         }
-        CHECK(vertex.sum[c] >= told[c]);
-        CHECK(vertex.sum[c] <= radiance[c] * 1.00001f);
+        const float before = vertex.sum[c];
+        if (usual && !(std::abs(before - sum[c]) <= 1e-5f * (1 + sum[c]))) {
+          FAIL(where << "the sum before it is " << before << in_channel
+                     << ", expected " << sum[c]
+                     << ": each vertex adds its throughput times kd. If "
+                        "tests of light fail, too, start with those");
+        }
+        if (one_path && !(before >= told[c] &&
+                          before <= radiance[c] * 1.00001f)) {
+          FAIL(where << "the sum before it is " << before << in_channel
+                     << ", expected from " << told[c]
+                     << ", the one before, to " << radiance[c]
+                     << ", the path's radiance");
+        }
       }
       told = vertex.sum;
-      if (i < max_bounces) sum += throughput * added;
-      shares *= kd / kd.x;
+      if (bounce < max_bounces) sum += throughput * added;
     }
-    if (lights.empty()) CHECK(radiance == Vec3(0));
+    if (lights.empty() && radiance != Vec3(0)) {
+      FAIL("without a light a path brings " << radiance << ", expected "
+                                            << Vec3(0));
+    }
   }
-  CHECK(longest == max_bounces + 1);
+  if (longest != max_bounces) {
+    FAIL_CHECK("the longest of 1000 paths has "
+               << longest << " bounces, expected " << max_bounces);
+  }
   const std::string wrong = lights.empty() ? "" : seen.wrong();
   if (!wrong.empty()) FAIL_CHECK("kd + kd^2 + ... + kd^5: " << wrong);
 }
