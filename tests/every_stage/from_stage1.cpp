@@ -53,6 +53,10 @@ TEST_CASE("at most N bounces: N terms of the light of a lamp") {
   check_bound_under_a_lamp<PathTracer>();
 }
 
+TEST_CASE("a path goes on while any channel brings light, for 40 bounces") {
+  check_long_paths_of_some_channels<PathTracer>();
+}
+
 TEST_CASE("each direction has its own weight, however directions are drawn") {
   const double survival = this_stage >= 4 ? 0.5 : 1;  // of roulette
   check_covered_sky<PathTracer>("{ kd = 0.5 }", DoubleVec3(0.5), survival);
@@ -100,13 +104,15 @@ TEST_CASE(
   if constexpr (this_stage < 4) settings.max_bounces = 8;
   settings.threads = 1;
   const RenderResult one = paint<PathTracer>(scene, settings);
-  CHECK(one.info.dropped == 0);
+  CHECK_MESSAGE(one.info.dropped == 0, one.info.dropped,
+                " samples are infinite or not a number, expected 0");
   for (const int threads : {1, 2, 7}) {
-    CAPTURE(threads);
+    INFO("the picture with ", threads, " threads, against the one with 1");
     settings.threads = threads;
     const RenderResult again = paint<PathTracer>(scene, settings);
     check_same_bits(again, one);
-    CHECK(again.info.rays == one.info.rays);
+    CHECK_MESSAGE(again.info.rays == one.info.rays, again.info.rays,
+                  " rays, expected ", one.info.rays);
   }
   settings.seed = 2;
   settings.threads = 2;

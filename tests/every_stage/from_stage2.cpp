@@ -43,6 +43,14 @@ TEST_CASE("a lamp that was sampled but hidden does not count when hit") {
   check_half_hidden_lamp<PathTracer>();
 }
 
+TEST_CASE("a lamp blocks the light of the lights behind it") {
+  check_lamps_block_light<PathTracer>();
+}
+
+TEST_CASE("each of a hundred lights adds its light") {
+  check_many_lights<PathTracer>();
+}
+
 TEST_CASE("two unlike lights of each type give the sum of both") {
   check_unlike_lights<PathTracer>();
 }

@@ -25,6 +25,10 @@ TEST_CASE("a point light lights the diffuse lobe alone") {
   check_point_light_lights_one_lobe<PathTracer>();
 }
 
+TEST_CASE("a lit floor in a mirror: ks kd/pi I/d^2") {
+  check_lit_floor_in_a_mirror<PathTracer>();
+}
+
 TEST_CASE("at most N bounces: a mirror is one, and a glass ball is two") {
   check_bound_between_mirrors<PathTracer>();
   check_bound_through_glass<PathTracer>();
@@ -44,6 +48,10 @@ TEST_CASE("glass casts a shadow in the light of a point") {
 
 TEST_CASE("a lamp in a mirror lights the floor") {
   check_lamp_in_a_mirror_lights_the_floor<PathTracer>();
+}
+
+TEST_CASE("a lamp behind glass lights the floor") {
+  check_lamp_behind_glass_lights_the_floor<PathTracer>();
 }
 
 TEST_CASE("glass and gaps in a white room are invisible however thin") {

@@ -67,15 +67,18 @@ TEST_CASE("the simplified weights are f cos / p") {
   hit.normal = normalize(Vec3(1, 2, -3));
   // Seen at a slant, so that wo is not taken for the normal.
   const Vec3 wo = normalize(hit.normal + Vec3(0.4f, 0.7f, 0.6f));
-  const Surface surface(hit, material, wo);
   Random random(4, 0, 0);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const Vec2 u(random.uniform_2d());
+    // From either side: surface.normal is on that of wo, hit.normal need not.
+    const bool front = i % 2 == 0;
+    const Surface surface(hit, material, front ? wo : -wo);
     for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
       const std::string formula =
-          sampling == Sampling::uniform
-              ? "weight = f_r cos / p = 2 kd cos for p = 1/(2 pi)"
-              : "weight = f_r cos / p = kd for p = cos/pi";
+          std::string(sampling == Sampling::uniform
+                          ? "weight = f_r cos / p = 2 kd cos for p = 1/(2 pi)"
+                          : "weight = f_r cos / p = kd for p = cos/pi") +
+          (front ? "" : ", with wo where the shape's normal points away");
       const BsdfSample one = sample(surface, sampling, u);
       const float cos_theta = dot(surface.normal, one.wi);
       const float pdf = sampling == Sampling::uniform

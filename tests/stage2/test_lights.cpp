@@ -83,7 +83,9 @@ class WeighedSquare {
   std::vector<double> squares_ = std::vector<double>(size * size);
 };
 
-const RectangleLight slanted{{1, 2, 3}, {2, 0, 1}, {0.5f, 1, 0}, Vec3(4)};
+const Vec3 three_colors{4, 1, 2};
+const RectangleLight slanted{
+    {1, 2, 3}, {2, 0, 1}, {0.5f, 1, 0}, three_colors};
 
 }  // namespace
 
@@ -119,7 +121,8 @@ TEST_CASE("the direction to a lamp's point has unit length and leads there") {
           sample_light(point, x, u)}) {
       require_value("length of a direction to a light",
                     static_cast<double>(length(one.direction)), 1, 1e-5);
-      INFO("distance ", one.distance, " of a light that is over 1 away");
+      INFO("the distance of a light is ", one.distance,
+           ", expected more than 1");
       REQUIRE(one.distance > 1);
     }
   }
@@ -133,14 +136,21 @@ TEST_CASE(
     const LightSample one =
         sample_light(PointLight{center, Vec3(1)}, x, Vec2(0.5f));
     const float distance = length(center - x);
-    INFO("a light at ", center, ", seen from ", x, ", is ", distance,
-         " away; its sample has the direction ", one.direction,
-         " and the distance ", one.distance);
-    CHECK(length(one.direction - (center - x) / distance) < 1e-5f);
+    const Vec3 expected = (center - x) / distance;
+    const std::string light =
+        "a light at " + text_of(center) + ", seen from " + text_of(x) + ": ";
+    if (!(length(one.direction - expected) < 1e-5f)) {
+      FAIL_CHECK(light << "the direction is " << one.direction
+                       << ", expected " << expected);
+    }
     // Rounding is in proportion to the coordinates, and so is the margin.
     const float size = distance + max_abs_component(center);
-    CHECK(one.distance < distance - 1e-7f * size);
-    CHECK(one.distance > distance - 1e-5f * size);
+    const float gap = distance - one.distance;
+    if (!(gap > 1e-7f * size && gap < 1e-5f * size)) {
+      FAIL_CHECK(light << "the distance is " << gap << " less than d = "
+                       << distance << ", expected about "
+                       << stage2::distance_rounding / 2 * size);
+    }
   }
 }
 
@@ -165,8 +175,19 @@ Pixel weights_at(const Lamp& lamp, const Vec3& x) {
   return weights;
 }
 
+/// Each channel has its own L_e.
+void check_mean_weight(const std::string& what, const Pixel& weights,
+                       double solid_angle_seen, double rounding = 1e-6) {
+  for (int c = 0; c < 3; ++c) {
+    const auto radiance = static_cast<double>(three_colors[c]);
+    check_mean(what + ", L_e = " + text_of(radiance) + " in channel " +
+                   std::to_string(c),
+               weights, c, radiance * solid_angle_seen, rounding);
+  }
+}
+
 // The mean of L_e / p is L_e times the solid angle, however points are
-// chosen.
+// chosen. All lengths times a hundredth give the same solid angle.
 TEST_CASE("a rectangle's mean weight is L_e times its solid angle") {
   const Vec3& a = slanted.corner;
   const Vec3 b = a + slanted.edge_u, c = b + slanted.edge_v,
@@ -177,8 +198,16 @@ TEST_CASE("a rectangle's mean weight is L_e times its solid angle") {
     if (dot(x - a, normal) < 0) x -= 2 * dot(x - a, normal) * normal;
     x += 0.5f * normal;
     INFO("seen from ", x);
-    check_mean("the mean of L_e A cos'/d^2, L_e = 4", weights_at(slanted, x),
-               0, 4 * (solid_angle(x, a, b, c) + solid_angle(x, a, c, d)));
+    const double seen = solid_angle(x, a, b, c) + solid_angle(x, a, c, d);
+    check_mean_weight("the mean of L_e A cos'/d^2", weights_at(slanted, x),
+                      seen);
+    const float size = 0.01f;
+    const RectangleLight small{size * a, size * slanted.edge_u,
+                               size * slanted.edge_v, three_colors};
+    check_mean_weight("the mean of L_e A cos'/d^2, the lamp being " +
+                          text_of(double(size * length(off))) +
+                          " long and away",
+                      weights_at(small, size * x), seen, 1e-4);
     const Vec3 behind = x - 2 * dot(x - a, normal) * normal;
     const Pixel back = weights_at(slanted, behind);
     INFO("behind the lamp, where it is black, the mean weight is ",
@@ -191,18 +220,18 @@ TEST_CASE("a rectangle's mean weight is L_e times its solid angle") {
 // 2 pi (1 - cos) of the cone with the sine r/d: for small r/d, pi (r/d)^2.
 TEST_CASE("a sphere's mean weight is L_e times its solid angle") {
   for (const float distance : {1.1f, 2.0f, 30.0f, 3000.0f, 1e5f}) {
-    const SphereLight ball{{0, distance, 0}, 1, Vec3(4)};
+    const SphereLight ball{{0, distance, 0}, 1, three_colors};
     const double s = 1 / (static_cast<double>(distance) * distance);
     INFO("a ball of radius 1 at the distance ", distance, ": (r/d)^2 is ", s);
-    const double expected =
-        4 * 2 * std::numbers::pi * s / (1 + std::sqrt(1 - s));
-    check_mean("L_e times the cone's solid angle, L_e = 4",
-               weights_at(ball, Vec3(0)), 0, expected, 1e-5);
+    check_mean_weight("L_e times the cone's solid angle",
+                      weights_at(ball, Vec3(0)),
+                      2 * std::numbers::pi * s / (1 + std::sqrt(1 - s)),
+                      1e-5);
   }
 }
 
 // I/d^2, and no 4 pi: the lab calls the intensity the light's power.
-TEST_CASE("a point light gives I/d^2 to what faces it") {
+TEST_CASE("a point light gives I/d^2 to what faces it, near or far") {
   const Vec3 x(1, 2, 2);  // 3 from the origin, and 6 from (5, 6, 4)
   const Vec3 power(9, 18, 36);
   const Vec2 u(0.3f, 0.6f);
@@ -212,6 +241,11 @@ TEST_CASE("a point light gives I/d^2 to what faces it") {
   check_color("I/d^2 at d = 6",
               sample_light(PointLight{{5, 6, 4}, power}, x, u).weight,
               power / 36.0f);
+  // 3/64 away, where I/d^2 is more than I.
+  check_color("I/d^2 at d = 3/64",
+              sample_light(PointLight{x + Vec3(1, 2, 2) / 64.0f, power}, x, u)
+                  .weight,
+              power * (64 * 64 / 9.0f));
 }
 
 // Far away all points have the same distance and angle, and A = |u x v| = 6.

@@ -40,6 +40,27 @@ void check_bound_under_a_lamp() {
   }
 }
 
+/// A ball of radius 1/4 within a sphere of radius 1: F = 1/16, so that most
+/// paths are long. In red the wall loses nothing, and in green all of it. Red
+/// comes to 3 (1 - (15/16)^40) = 2.77 after 40 bounces, and to 1.2 after 8.
+template <class PathTracer>
+void check_long_paths_of_some_channels() {
+  const DoubleVec3 kd(1, 0, 0.5);
+  const Scene scene = scene_text(
+      "[materials]\nwall = { kd = [1, 0, 0.5] }\nlamp = { ke = 3 }\n" +
+      text::sphere("0, 0, 0", "1", "wall") +
+      text::sphere("0, 0, 0", "0.25", "lamp"));
+  for (const int n : {2, 40}) {
+    DoubleVec3 expected(0);
+    for (int c = 0; c < 3; ++c) {
+      expected[c] = kd[c] * 3 / 16 * power_series(kd[c] * 15 / 16, n);
+    }
+    check_radiance<PathTracer>("a wall with kd = (1, 0, 0.5) around a lamp",
+                               scene, {{0.6f, 0, 0}, {1, 0, 0}},
+                               with_bounces(n), expected);
+  }
+}
+
 /// A sphere from inside, with a point light of intensity pi at its center:
 /// each hit has radiance kd from it, and reflects kd + ks of the radiance of
 /// the wall, which is equally bright everywhere.

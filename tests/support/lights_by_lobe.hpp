@@ -59,6 +59,39 @@ void check_point_light_lights_one_lobe() {
         scene_text(lobes_floor(material) + text::point_light("0, 2, 0", "9")),
         at_lobes_floor, with_bounces(1),
         DoubleVec3(0.5 / std::acos(-1.0) * 9 / 4));
+    // Within a ball of radius 2, d is the same.
+    check_radiance<PathTracer>(
+        std::string("within a ball, with a point light in the middle: ") +
+            material,
+        scene_text(std::string("[materials]\nthing = ") + material + "\n" +
+                   text::sphere("0, 0, 0", "2", "thing") +
+                   text::point_light("0, 0, 0", "9")),
+        {{0.2f, 0.1f, -0.3f}, {0, 0.6f, 0.8f}}, with_bounces(1),
+        DoubleVec3(0.5 / std::acos(-1.0) * 9 / 4));
+  }
+}
+
+/// The mirror hangs at y = 2, and shows the floor's point (0, 0, 2), which has
+/// a point light 1 above it. Only the mirror's ks colors the floor's light,
+/// whatever the floor's ks and kt: ks kd / pi I / 1^2.
+template <class PathTracer>
+void check_lit_floor_in_a_mirror() {
+  for (const char* floor : {"{ kd = 0.5 }", "{ kd = 0.2, ks = 0.7 }",
+                            "{ kd = 0.2, kt = 0.7 }"}) {
+    const Scene scene = scene_text(
+        std::string("[materials]\nmirror = { ks = [0.9, 0.6, 0.3] }\n"
+                    "floor = ") +
+        floor + "\n" + text::plane("0, 1, 0", "0", "floor") +
+        text::plane("0, -1, 0", "2", "mirror") +
+        text::point_light("0, 1, 2", "9"));
+    const auto kd =
+        static_cast<double>(scene.geometry.planes()[0].material->kd.x);
+    check_radiance<PathTracer>(
+        std::string("a mirror with ks = (0.9, 0.6, 0.3) that shows a lit "
+                    "floor, ") +
+            floor,
+        scene, {{0, 1, -1}, normalize(Vec3(0, 1, 1))}, with_bounces(2),
+        DoubleVec3(0.9, 0.6, 0.3) * (kd / std::acos(-1.0) * 9));
   }
 }
 

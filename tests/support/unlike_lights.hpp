@@ -111,4 +111,18 @@ void check_unlike_lights() {
   check("six lights", all, sum);
 }
 
+/// A hundred point lights at heights from 1 to 2, straight overhead. Each has
+/// the intensity h^2, and gives I / (pi h^2) = 1 / pi.
+template <class PathTracer>
+void check_many_lights() {
+  std::string lights;
+  for (int i = 0; i < 100; ++i) {
+    const double h = 1 + i / 100.0;
+    lights += text::point_light("0, " + std::to_string(h) + ", 0",
+                                std::to_string(h * h));
+  }
+  check_floor_among<PathTracer>("a floor under a hundred lights", lights,
+                                DoubleVec3(100 / std::acos(-1.0)));
+}
+
 }  // namespace lightwalk::tests
