@@ -9,6 +9,7 @@
 
 #include "common/scene/path_log.hpp"
 #include "support/each_or_mean.hpp"
+#include "support/first_things.hpp"
 #include "support/renders.hpp"
 
 namespace lightwalk::tests {
@@ -36,6 +37,15 @@ material = "wall"
   const PathTracer tracer(scene, settings);
   const Ray ray{{0.2f, 0.1f, -0.3f}, normalize(Vec3(1, 2, 3))};
 
+  // A program may follow several branches, one after the other.
+  bool one_path = true;
+  for (std::uint64_t sample = 0; sample < 1000; ++sample) {
+    const PathLog log = listen_to(tracer, ray, sample);
+    for (std::size_t i = 0; i < log.vertices.size(); ++i) {
+      one_path = one_path && log.vertices[i].bounce == static_cast<int>(i);
+    }
+  }
+
   int longest = 0;
   // kd + kd^2 + ... + kd^5, of red.
   EachOrMean seen(0.8 * (1 - std::pow(0.8, 5)) / 0.2, 1e-5);
@@ -46,12 +56,9 @@ material = "wall"
     const Vec3 radiance = tracer.radiance(ray, random);
     if (log.vertices.empty()) FAIL("log_vertex was never called");
 
-    // A program may follow several branches, one after the other.
     Vec3 all_added(0);
-    bool told_any = false, one_path = true;
-    for (std::size_t i = 0; i < log.vertices.size(); ++i) {
-      const PathVertex& vertex = log.vertices[i];
-      one_path = one_path && vertex.bounce == static_cast<int>(i);
+    bool told_any = false;
+    for (const PathVertex& vertex : log.vertices) {
       told_any = told_any || vertex.sum != Vec3(0);
       if (vertex.bounce < max_bounces) all_added += vertex.throughput * added;
       longest = std::max(longest, vertex.bounce);
