@@ -6,7 +6,7 @@
 
 namespace {
 
-/// Whether an INFO around the check is a sentence. CAPTURE says "name := value".
+/// Whether an INFO around the check is a sentence; CAPTURE says "name := x".
 bool is_said_in_words() {
   const auto* const contexts = doctest::IReporter::get_active_contexts();
   for (int i = 0; i < doctest::IReporter::get_num_active_contexts(); ++i) {
