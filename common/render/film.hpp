@@ -80,7 +80,8 @@ class Film {
     return image([](const Pixel& p, int c) { return p.mean[c]; });
   }
   /// Variance of one sample of each pixel, (W/(m^2 sr))^2. That of the mean
-  /// of n samples is 1/n of it.
+  /// of n samples is 1/n of it. If a pixel is so bright that its variance
+  /// does not fit in a float, this is the largest float.
   Image variance() const {
     return image([](const Pixel& p, int c) { return p.variance(c); });
   }
@@ -91,7 +92,9 @@ class Film {
     Image result(width_, height_);
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
-        result.pixels[i][c] = static_cast<float>(value(pixels_[i], c));
+        constexpr double largest = std::numeric_limits<float>::max();
+        result.pixels[i][c] =
+            static_cast<float>(std::min(value(pixels_[i], c), largest));
       }
     }
     return result;

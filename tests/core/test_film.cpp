@@ -50,6 +50,16 @@ void check_against_two_passes(const std::vector<Vec3>& samples) {
 
 }  // namespace
 
+// Half of the samples are 1e30: the variance, about 2.5e59, is beyond a float.
+TEST_CASE("a variance too large for a float is the largest float") {
+  Film film(1, 1);
+  for (const float x : {0.0f, 1e30f, 0.0f, 1e30f}) {
+    film.pixel(0, 0).add(Vec3(x));
+  }
+  CHECK(film.radiance().at(0, 0).x == doctest::Approx(5e29));
+  CHECK(film.variance().at(0, 0).x == std::numeric_limits<float>::max());
+}
+
 // Mean 4, squared differences 9 + 1 + 1 + 9 = 20, divided by 3.
 TEST_CASE("mean and variance of four numbers are those worked out by hand") {
   Pixel pixel;
