@@ -3,6 +3,11 @@
 // The small interface to OpenImageIO, which one compiled file implements: a
 // module that is loaded when the first file needs it. Loading it at the start
 // would cost every program a second.
+//
+// A library that Debian's OpenImageIO brings along starts threads while it is
+// loaded. Where the system gives too few threads or too little memory, it ends
+// the program, or waits for ever. So a child process tries first, before
+// anything is rendered.
 
 #include <string>
 #include <string_view>
@@ -15,12 +20,23 @@
 #ifndef _WIN32
 #include <dlfcn.h>
 #endif
+#ifdef __linux__
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#endif
 
 namespace lightwalk {
 
 /// Each function returns what went wrong, or an empty string. `format` is
 /// what OpenImageIO calls it, such as "exr".
 struct ImageModule {
+  /// Makes OpenImageIO start its threads.
+  std::string (*start)();
   /// The bytes of an EXR file.
   std::string (*encode_exr)(const RenderResult&, std::string& bytes);
   /// Reads the channels R, G, B, and variance.R, .G, .B if they are there.
@@ -61,19 +77,67 @@ inline GetImageModule* load_image_module(const char* file,
 #endif
 }
 
+/// Loads and starts the module; null, with the reason in `error`, if that
+/// fails.
+inline const ImageModule* start_image_module(std::string& error) {
+  GetImageModule* const get =
+      load_image_module(LIGHTWALK_IMAGE_MODULE, error);
+  if (!get) return nullptr;
+  error = get()->start();
+  return error.empty() ? get() : nullptr;
+}
+
+#ifdef __linux__
+/// Whether a child process survives the start of the module. It has a minute,
+/// by the clock since a process that waits for ever takes no processor time.
+inline bool image_module_starts_in_a_child() {
+  const pid_t child = fork();
+  if (child < 0) return false;
+  if (child == 0) {
+    const rlimit no_core{0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDERR_FILENO);
+    for (const int ending : {SIGABRT, SIGSEGV, SIGALRM}) {
+      std::signal(ending, SIG_DFL);
+    }
+    alarm(60);
+    try {
+      std::string reason;  // the parent finds it out again
+      start_image_module(reason);
+    } catch (...) {
+      _exit(1);
+    }
+    _exit(0);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return true;  // nothing is known: try it
+  }
+  return status == 0;
+}
+#else
+inline bool image_module_starts_in_a_child() {
+  return true;
+}
+#endif
+
 /// Loads the module for files with this ending. Throws a FileError if there
-/// is none.
+/// is none, or if it cannot start.
 inline const ImageModule& image_module(std::string_view ending) {
   const std::string needs = std::string(ending) + " needs OpenImageIO, ";
   if (std::string_view(LIGHTWALK_IMAGE_MODULE).empty()) {
     throw FileError(needs + "and this program was built without it; a .pfm " +
                     "has the same numbers");
   }
-  static std::string why;
-  static GetImageModule* const get =
-      load_image_module(LIGHTWALK_IMAGE_MODULE, why);
-  if (!get) throw FileError(needs + "which cannot be loaded: " + why);
-  return *get();
+  static std::string why = "too few threads or too little memory";
+  static const ImageModule* const module =
+      image_module_starts_in_a_child() ? start_image_module(why) : nullptr;
+  if (!module) {
+    throw FileError(needs + "which cannot be loaded: " + why +
+                    "; a .pfm has the same numbers");
+  }
+  return *module;
 }
 
 /// Throws a FileError with the module's message, if there is one.

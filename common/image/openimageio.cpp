@@ -73,6 +73,20 @@ std::string encode_exr(const RenderResult& result, std::string& bytes) {
   return "";
 }
 
+/// Encodes a picture of several blocks: with the first one, OpenImageIO and
+/// OpenEXR start the threads that they use from then on.
+std::string start() {
+  RenderResult picture{Image(64, 64), Image(64, 64), {}};
+  std::string bytes;
+  try {
+    return encode_exr(picture, bytes);
+  } catch (const std::exception& error) {
+    fail("it does not start (" + std::string(error.what()) +
+             "); are threads or memory short?",
+         "");
+  }
+}
+
 // ## Reading
 
 /// Opens a file as this format and no other: ImageInput::open would try a
@@ -232,6 +246,7 @@ lightwalk_image_module();
 const lightwalk::ImageModule* lightwalk_image_module() {
   using namespace lightwalk;
   static const ImageModule module = {
+      guarded<start>,
       guarded<encode_exr, const RenderResult&, std::string&>,
       guarded<read_radiance, const std::string&, const char*, RenderResult&>,
       guarded<read_texture, const std::string&, const char*, Texture&>};

@@ -5,7 +5,7 @@ import signal
 import subprocess
 import unittest
 
-from programs import BUILD, SCENES, InFolder, built_stages, communicate, run, sanitized
+from programs import BUILD, HAS_EXR, SCENES, InFolder, built_stages, communicate, run, sanitized
 
 BOX = SCENES / "cornell_box_ceiling_diffuse.toml"
 
@@ -39,6 +39,26 @@ class Throwing(InFolder):
 
 
 class TooFewThreads(InFolder):
+    @unittest.skipUnless(HAS_EXR, "OpenImageIO is not in this build")
+    @unittest.skipIf(sanitized(), "the sanitizer needs the memory")
+    def test_an_exr_that_cannot_be_written_is_an_error_before_the_render(self):
+        """OpenImageIO takes about 450 MB of addresses; with less, it ends the program that loads it."""
+
+        def leave_little_room(bytes):
+            resource.setrlimit(resource.RLIMIT_AS, (bytes, bytes))
+
+        for megabytes in (300, 400, 420):
+            with self.subTest(megabytes):
+                result = run(
+                    "stage1",
+                    # For ever, if the render begins.
+                    *[BOX, "-o", "out.exr", "--spp=1000000000", "--threads=1"],
+                    folder=self.folder,
+                    preexec_fn=lambda: leave_little_room(megabytes * 1_000_000),
+                )
+                self.assert_one_line(result, "stage1: out.exr cannot be written: .exr needs OpenImageIO, ...")
+                self.assertEqual(self.files(), [])
+
     @unittest.skipIf(sanitized(), "the sanitizer needs the memory")
     def test_a_render_takes_the_threads_that_it_gets(self):
         def leave_little_room():
