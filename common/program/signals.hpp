@@ -1,7 +1,7 @@
 #pragma once
 
-// Signals that ask a program to end: Ctrl-C, `kill`, and a terminal that is
-// closed. A signal that `nohup` or a shell has set to be ignored stays
+// Signals that ask a program to end: Ctrl-C, `kill`, a terminal that is
+// closed, and a limit of processor time that is used up. A signal that `nohup` or a shell has set to be ignored stays
 // ignored, except for Ctrl-C.
 
 #include <csignal>
@@ -11,7 +11,7 @@ namespace lightwalk {
 #ifdef SIGBREAK  // Windows: Ctrl-Break
 inline constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGBREAK};
 #elif defined(SIGHUP)
-inline constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
+inline constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 #else
 inline constexpr int ending_signals[] = {SIGINT, SIGTERM};
 #endif

@@ -52,7 +52,7 @@ def with_signals(ignored=()):
     """The signal handling that a program starts with, even if the tests run under nohup."""
 
     def set_them():
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU):
             signal.signal(number, signal.SIG_IGN if number in ignored else signal.SIG_DFL)
 
     return {"preexec_fn": set_them}
