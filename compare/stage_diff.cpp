@@ -12,6 +12,7 @@
 
 #include "common/image/image_file.hpp"
 #include "common/program/command_line.hpp"
+#include "common/program/console.hpp"
 #include "common/program/signals.hpp"
 #include "common/scene_file/message_text.hpp"
 #include "compare/claims.hpp"
@@ -32,7 +33,8 @@ RenderResult read(const std::string& path) {
   try {
     result = read_image(path);
   } catch (const std::exception& error) {
-    throw CannotCompare(path + ": " + error.what());
+    throw CannotCompare(shortened(path, max_shown_name) + ": " +
+                        error.what());
   }
   if (!result.note.empty()) {
     std::fprintf(stderr, "stage-diff: %s\n",
@@ -91,7 +93,7 @@ void borrow_variance(const std::string& path, RenderResult& poor,
   std::fprintf(stderr,
                "stage-diff: %s has no variance: %s taken to be as noisy as "
                "the other\n",
-               path.c_str(), counted ? "a sample of it is" : "it is");
+               one_line(path).c_str(), counted ? "a sample of it is" : "it is");
 }
 
 void warn_of_other_settings(const RenderInfo& a, const RenderInfo& b) {
@@ -328,7 +330,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
-    return app.exit(success);
+    return checked_output(program, app.exit(success), 2);
   } catch (const CLI::ParseError& error) {
     return wrong_usage(program, what_is_wrong(app, error));
   }
@@ -338,7 +340,8 @@ int main(int argc, char** argv) {
   }
   ignore_failing_writes();
   try {
-    return compare(a, b, picture, json, other_seeds);
+    const int code = compare(a, b, picture, json, other_seeds);
+    return checked_output(program, code, 2);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "stage-diff: %s\n", one_line(error.what()).c_str());
     return 2;

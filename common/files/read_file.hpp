@@ -16,6 +16,9 @@ namespace lightwalk {
 inline void check_is_file(const std::string& name) {
   std::error_code error;
   const auto status = std::filesystem::status(file_path(name), error);
+  if (error == std::errc::permission_denied) {
+    throw FileError(error.message());
+  }
   if (!exists(status)) throw FileError("there is no such file");
   if (!is_regular_file(status)) throw FileError("it is not a file");
 }

@@ -16,7 +16,8 @@ namespace lightwalk {
 namespace {
 
 std::string cannot_write(const std::string& path, const char* why) {
-  return escaped(path) + " cannot be written: " + one_line(why);
+  return escaped(shortened(path, max_shown_name)) +
+         " cannot be written: " + one_line(why);
 }
 
 void check_file(const std::string& path,

@@ -33,8 +33,9 @@ void catch_interrupts() {
   catch_ending_signals([](int signal) {
     interrupted = true;
 #ifdef SIGHUP
-    // A terminal that closes may say so twice.
-    if (signal == SIGHUP) return;
+    // A terminal that closes may say so twice, and the system says each
+    // second that the processor time is used up.
+    if (signal == SIGHUP || signal == SIGXCPU) return;
 #endif
     std::signal(signal, SIG_DFL);
   });
@@ -237,10 +238,11 @@ int run(int argc, char** argv, const Program& program,
   prepare_console();
   Options options;
   if (const auto code = parse_options(argc, argv, program, options)) {
-    return *code;
+    return checked_output(program.name, *code, 1);
   }
   try {
-    return run_scene(program, tracing, options);
+    const int code = run_scene(program, tracing, options);
+    return checked_output(program.name, code, 1);
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "%s: there is not enough memory\n",
                  program.name.c_str());

@@ -56,4 +56,7 @@ inline std::string shortened(std::string_view text, std::size_t most) {
   return std::string(text.substr(0, most)) + "...";
 }
 
+/// Longer names of files are cut in messages.
+inline constexpr std::size_t max_shown_name = 300;
+
 }  // namespace lightwalk

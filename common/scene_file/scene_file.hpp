@@ -163,8 +163,10 @@ inline std::string read_scene_text(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(file_path(path), error);
   const auto fail = [&](const std::string& why) {
-    throw SceneError((path.empty() ? "''" : path) + ": " + why);
+    const std::string name = path.empty() ? "''" : path;
+    throw SceneError(shortened(name, max_shown_name) + ": " + why);
   };
+  if (error == std::errc::permission_denied) fail(error.message());
   if (!fs::exists(status)) {
     fail("there is no such scene file" + scene_suggestion(path));
   }

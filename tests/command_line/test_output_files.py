@@ -137,6 +137,11 @@ class WhatIsThere(Outputs):
         )
         self.assertEqual(list((self.folder / "closed").iterdir()), [])
 
+    def test_into_a_folder_that_may_not_be_searched(self):
+        (self.folder / "closed").mkdir(mode=0o644)
+        result = self.render_unprivileged("-o", "closed/out.pfm")
+        self.assert_one_line(result, "stage1: closed/out.pfm cannot be written: Permission denied")
+
     def test_names_of_255_bytes(self):
         for letter in ["x", "\u00e9"]:
             size = (255 - len(".pfm")) // len(letter.encode())
@@ -151,6 +156,8 @@ class WhatIsThere(Outputs):
                 (self.folder / file).unlink()
         result = self.render("-o", "x" * 252 + ".pfm")
         self.assert_one_line(result, f"stage1: {'x' * 252}.pfm cannot be written: File name too long")
+        result = self.render("-o", "x" * 18_000 + ".pfm")
+        self.assert_one_line(result, f"stage1: {'x' * 300}... cannot be written: File name too long")
 
     def test_control_characters_in_a_name_are_spelt_out(self):
         name = "a\x1b[2J\n\x7f\u009b\u00e9.pfm"
@@ -229,6 +236,28 @@ class PipesAndDevices(Outputs):
         self.out.symlink_to(f"/dev/fd/{full}")
         result = self.render_unprivileged("-o", "out.pfm", pass_fds=[full])
         self.assert_one_line(result, "stage1: out.pfm cannot be written: it does not take all of the bytes")
+
+
+class StandardOutput(Outputs):
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs Linux")
+    def test_a_full_one_is_an_error(self):
+        self.assert_done(self.render("-o", "a.pfm", "--spp", "4"))
+        for program, code, *arguments in [
+            ("stage1", 1, "--help"),
+            ("stage1", 1, "--version"),
+            ("stage1", 1, BOX, "--pixel", "1,1"),
+            ("stage1", 1, BOX, *SMALL, "-o", "c.pfm"),
+            ("stage-diff", 2, "--help"),
+            ("stage-diff", 2, "--version"),
+            ("stage-diff", 2, "a.pfm", "a.pfm", "--json"),
+        ]:
+            with self.subTest(program, arguments=arguments), open("/dev/full", "w") as full:
+                result = run(program, *arguments, folder=self.folder, stdout=full)
+                self.assertEqual(result.returncode, code)
+                self.assertEqual(
+                    result.stderr, f"{program}: the standard output does not take all of the text\n"
+                )
+        self.assert_whole(self.folder / "c.pfm")
 
 
 class SeveralFiles(Outputs):
@@ -327,7 +356,7 @@ class Interrupts(Outputs):
             self.assertTrue(0 < black < 64, f"{black} of 64 pixels are black")
 
     def test_later_the_picture_is_replaced_by_what_there_is(self):
-        for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]:
+        for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU]:
             self.out.write_text(OLD)
             result = self.interrupted(self.LATER, number)
             self.assertEqual(result.stderr, "pausing: interrupted after 1 of 1000 samples per pixel\n")
@@ -354,8 +383,10 @@ class Interrupts(Outputs):
             self.assertEqual(self.files(), ["out.pfm"])
 
     def test_a_terminal_that_closes_may_say_so_twice(self):
+        """And where processor time is used up, the system says so each second."""
         for signals in [
             [signal.SIGHUP] * 2,
+            [signal.SIGXCPU] * 2,
             [signal.SIGTERM, signal.SIGHUP],
             [signal.SIGHUP, signal.SIGTERM],
         ]:
