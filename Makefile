@@ -4,7 +4,7 @@
 # Against injection: what users type goes to programs through the environment,
 # unexpanded, and recipes use it as a quoted shell variable.
 typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS STAGE OUT INTO \
-  SOLUTIONS ORDERS FRESH SECONDS BUILD
+  SOLUTIONS ORDERS FRESH SECONDS LIMIT BUILD
 $(foreach name,$(typed),$(eval override $(name) := $$(value $(name))))
 export $(filter-out BUILD,$(typed))
 

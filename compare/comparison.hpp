@@ -20,9 +20,10 @@
 //
 // with $v$ the variance of one sample, $n$ the samples per pixel and $|T|$
 // the pixels of the region. The larger variance counts, because a picture
-// that missed the rare bright paths underestimates its noise. The band is
-// what may differ for reasons that are not errors: the last digits of another
-// compiler, and the reference's own error.
+// that missed the rare bright paths underestimates its noise; it counts for a
+// reference of fewer samples, too. The band is what may differ for reasons
+// that are not errors: the last digits of another compiler, and the
+// reference's own error.
 //
 // Subr and Arvo test renderers with statistics of this kind ("Statistical
 // Hypothesis Testing for Assessing Monte Carlo Estimators: Applications to
@@ -93,6 +94,8 @@ inline RegionDifference compare_region(const RenderResult& test,
                                        const RenderResult& reference,
                                        const Region& region, int channel,
                                        double band) {
+  const double n_a = test.info.samples_per_pixel;
+  const double n_b = reference.info.samples_per_pixel;
   double test_variance = 0, reference_variance = 0;
   for (int y = region.top; y < region.top + region.height; ++y) {
     for (int x = region.left; x < region.left + region.width; ++x) {
@@ -100,20 +103,15 @@ inline RegionDifference compare_region(const RenderResult& test,
       const auto b =
           static_cast<double>(reference.variance.at(x, y)[channel]);
       test_variance += a < b ? b : a;
-      reference_variance += b;
+      reference_variance += a > b && n_a > n_b ? a : b;
     }
   }
   const double pixels = region.width * region.height;
-  RegionDifference result{region,
-                          channel,
-                          mean_over(test.radiance, region, channel),
-                          mean_over(reference.radiance, region, channel),
-                          0,
-                          0};
+  RegionDifference result{region, channel};
+  result.test = mean_over(test.radiance, region, channel);
+  result.reference = mean_over(reference.radiance, region, channel);
   result.sigma =
-      std::sqrt(test_variance / test.info.samples_per_pixel +
-                reference_variance / reference.info.samples_per_pixel) /
-      pixels;
+      std::sqrt(test_variance / n_a + reference_variance / n_b) / pixels;
   const double excess = std::abs(result.test - result.reference) - band;
   result.z = excess <= 0 ? 0 : excess / result.sigma;
   return result;
@@ -131,13 +129,14 @@ inline int tile_scale(const RenderResult& test,
 }
 
 /// The image, and its tiles of 8x8 and 4x4 pixels, both times `scale`; at the
-/// edges smaller ones.
-inline std::vector<Region> regions_of(int width, int height, int scale) {
+/// edges smaller ones. `steps` of a tile lead to the next tile.
+inline std::vector<Region> regions_of(int width, int height, int scale,
+                                      int steps = 1) {
   std::vector<Region> regions{{0, 0, width, height}};
   for (const int size : {8 * scale, 4 * scale}) {
     if (size >= std::max(width, height)) continue;
-    for (int top = 0; top < height; top += size) {
-      for (int left = 0; left < width; left += size) {
+    for (int top = 0; top < height; top += size / steps) {
+      for (int left = 0; left < width; left += size / steps) {
         regions.push_back({left, top, std::min(size, width - left),
                            std::min(size, height - top)});
       }
@@ -146,13 +145,27 @@ inline std::vector<Region> regions_of(int width, int height, int scale) {
   return regions;
 }
 
+/// These, tiles moved by half their size, and rows and columns that are wide
+/// enough to hold as many pixels as a small tile.
+inline std::vector<Region> more_regions_of(int width, int height, int scale) {
+  std::vector<Region> regions = regions_of(width, height, scale, 2);
+  const int pixels = 16 * scale * scale;
+  const int high = std::min(height, (pixels + width - 1) / width);
+  for (int top = 0; top + high <= height; top += high) {
+    regions.push_back({0, top, width, high});
+  }
+  const int wide = std::min(width, (pixels + height - 1) / height);
+  for (int left = 0; left + wide <= width; left += wide) {
+    regions.push_back({left, 0, wide, height});
+  }
+  return regions;
+}
+
 /// Every region in every channel, the image's own three first.
 inline std::vector<RegionDifference> compare_regions(
     const RenderResult& test, const RenderResult& reference,
-    const Bands& bands, int scale) {
+    const Bands& bands, const std::vector<Region>& regions) {
   const Image& image = reference.radiance;
-  const std::vector<Region> regions =
-      regions_of(image.width, image.height, scale);
   std::vector<RegionDifference> result;
   for (const Region& region : regions) {
     for (int channel = 0; channel < 3; ++channel) {
@@ -162,6 +175,71 @@ inline std::vector<RegionDifference> compare_regions(
       result.push_back(compare_region(test, reference, region, channel,
                                       share * own + bands.floor * whole));
     }
+  }
+  return result;
+}
+
+inline std::vector<RegionDifference> compare_regions(
+    const RenderResult& test, const RenderResult& reference,
+    const Bands& bands, int scale) {
+  return compare_regions(
+      test, reference, bands,
+      regions_of(reference.radiance.width, reference.radiance.height, scale));
+}
+
+// Two pictures may agree in each region and be different: two columns are
+// exchanged, or a texture is shifted by a pixel. Then pixels are further apart
+// than their noise, and a sum over the picture shows it:
+//
+// $$S = \sum t^2 = \sum \frac{(a - b)^2}{v_a/n_a + v_b/n_b}$$
+//
+// Without an error the mean of $t^2$ is Student's, $\nu/(\nu - 2)$, and a rare
+// bright path makes no large $t$: its pixel's variance has it, too. A picture
+// of fewer samples misses more such paths, so there the larger variance counts
+// for both. A difference of the band adds its own square to $(a - b)^2$.
+
+struct PixelSum {
+  double times = 0;  ///< S over what noise makes; the worst channel's
+  double z = 0;      ///< of S, a chi-squared sum (Wilson and Hilferty, 1931)
+};
+
+/// Of all pixels, or of squares of pixels that hold 64 samples.
+inline PixelSum sum_over_pixels(const RenderResult& test,
+                                const RenderResult& reference,
+                                const Bands& bands) {
+  const Image& image = reference.radiance;
+  const double n_a = test.info.samples_per_pixel;
+  const double n_b = reference.info.samples_per_pixel;
+  int size = 1;
+  while (std::min(n_a, n_b) * size * size < 64) size *= 2;
+  const double nu = std::min(n_a, n_b) * size * size - 1;
+  PixelSum result{0, -HUGE_VAL};
+  for (int c = 0; c < 3; ++c) {
+    const double whole =
+        mean_over(image, {0, 0, image.width, image.height}, c);
+    double sum = 0, count = 0;
+    for (int top = 0; top + size <= image.height; top += size) {
+      for (int left = 0; left + size <= image.width; left += size) {
+        const Region square{left, top, size, size};
+        const double b = mean_over(image, square, c);
+        const double d = std::abs(mean_over(test.radiance, square, c) - b);
+        double v_a = mean_over(test.variance, square, c);
+        double v_b = mean_over(reference.variance, square, c);
+        if (n_a != n_b) v_a = v_b = std::max(v_a, v_b);
+        const double variance = (v_a / n_a + v_b / n_b) / (size * size);
+        const double band = bands.tile * b + bands.floor * whole;
+        // Where the noise is less than the band, only the rest counts.
+        const double rest = std::max(0.0, d - band);
+        const bool quiet = variance < band * band;
+        const double excess = quiet ? rest * rest : d * d - band * band;
+        if (excess == 0 && variance == 0) continue;
+        sum += excess / variance;
+        count += nu / (nu - 2);
+      }
+    }
+    const double e = 2 / (9 * count);
+    const double z = (std::cbrt(sum / count) - 1 + e) / std::sqrt(e);
+    if (count > 0 && !(z <= result.z)) result = {sum / count, z};
   }
   return result;
 }

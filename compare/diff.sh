@@ -2,12 +2,14 @@
 # Renders and compares: A and B in the environment are stages (stage3), images
 # (.pfm, .exr, .ppm), or any program with the stages' command line. SCENE is
 # what they render, and OPTIONS are further options ("--spp 64").
+# Each program may use LIMIT seconds of processor time, 3600 if not given.
 # Exit codes: 0 the same, 1 different, 2 cannot compare.
 #
 # Each run has its own folder, so that no picture of an earlier or parallel run
 # can be taken for this one's.
 set -euf
 build=${BUILD:-build}
+limit=${LIMIT:-3600}
 
 cannot() {
   printf 'diff: %s\n' "$1" >&2
@@ -46,8 +48,15 @@ image_of() {
   image=$folder/$1.pfm
   # OPTIONS are words, not patterns of file names: -f is set.
   # shellcheck disable=SC2086
-  "$program" "$SCENE" -o "$image" --seed "$3" --size 128x128 ${OPTIONS:-} \
-    >&2 < /dev/null || cannot "$1: '$2' ended with exit code $?"
+  (
+    ulimit -t "$limit" || exit
+    exec "$program" "$SCENE" -o "$image" --seed "$3" --size 128x128 \
+      ${OPTIONS:-}
+  ) >&2 < /dev/null || {
+    code=$?
+    [ $code -lt 130 ] || code="$code (it may run for LIMIT=$limit seconds)"
+    cannot "$1: '$2' ended with exit code $code"
+  }
   [ -s "$image" ] || cannot "$1: '$2' wrote no image"
   rendered=$((rendered + 1))
 }

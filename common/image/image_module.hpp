@@ -5,8 +5,8 @@
 // would cost every program a second.
 //
 // A library that Debian's OpenImageIO brings along starts threads while it is
-// loaded. Where the system gives too few threads or too little memory, it ends
-// the program, or waits for ever. So a child process tries first, before
+// loaded. Where the system gives too few threads or too little memory, it
+// ends the program, or waits for ever. So a child process tries first, before
 // anything is rendered.
 
 #include <string>

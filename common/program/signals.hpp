@@ -1,8 +1,8 @@
 #pragma once
 
 // Signals that ask a program to end: Ctrl-C, `kill`, a terminal that is
-// closed, and a limit of processor time that is used up. A signal that `nohup` or a shell has set to be ignored stays
-// ignored, except for Ctrl-C.
+// closed, and a limit of processor time that is used up. A signal that
+// `nohup` or a shell has set to be ignored stays ignored, except for Ctrl-C.
 
 #include <csignal>
 

@@ -13,7 +13,7 @@ import programs
 BOX = programs.SCENES / "cornell_box_ceiling_diffuse.toml"
 
 
-class StageDiff(programs.InFolder):
+class Pictures(programs.InFolder):
     def render(self, name, *options, scene=BOX, stage="stage1"):
         path = self.folder / name
         result = programs.run(
@@ -51,13 +51,18 @@ class StageDiff(programs.InFolder):
         for words in expected:
             self.assertIn(words, result.stderr)
 
+
+class StageDiff(Pictures):
     def test_another_seed_is_the_same(self):
         reference = self.render("b.pfm")
         for seed in (2, 3, 4):
             a = self.render("a.pfm", "--seed", str(seed))
             result = self.diff(a, reference)
             self.assertEqual(result.returncode, 0, result.stdout)
-            self.assertIn("the same within the band", result.stdout)
+            self.assertRegex(
+                result.stdout,
+                r"^the same: a tile that is \d+ % off would have been seen \(8 x 8 pixels\)\n",
+            )
             self.assertEqual(result.stderr, "")
 
     def test_a_lamp_that_is_3_percent_darker(self):
@@ -90,6 +95,8 @@ class StageDiff(programs.InFolder):
         result = self.diff(a, b)
         self.assertEqual(result.returncode, 0, result.stdout)
         self.assertIn("a.pfm has no variance", result.stderr)
+        named = shutil.copy(a, self.folder / "a\x1b]0;\n.pfm")
+        self.assertIn("a ]0; .pfm has no variance", self.diff(named, b).stderr)
         self.check_cannot(a, a, "cannot compare: ", "a.pfm: it has no variance")
         magic, size, scale, data = a.read_bytes().split(b"\n", 3)
         a.write_bytes(b"\r\n".join((magic, size, scale, data)))
@@ -228,8 +235,68 @@ class StageDiff(programs.InFolder):
 
     def test_noise_is_told(self):
         a, b = self.render("a.pfm", "--sampling", "uniform", "--seed", "2"), self.render("b.pfm")
-        self.assertRegex(self.diff(a, b).stdout, r"band; [12]\.\d\d times the variance .*: noisier")
-        self.assertRegex(self.diff(b, a).stdout, r"band; 0\.\d+ times the variance .*: quieter")
+        self.assertRegex(self.diff(a, b).stdout, r"seen .*; [12]\.\d\d times the variance .*: noisier")
+        self.assertRegex(self.diff(b, a).stdout, r"seen .*; 0\.\d+ times the variance .*: quieter")
+
+
+class WhatTilesDoNotShow(Pictures):
+    """Pictures of 128 x 128 pixels and 64 samples, as `make diff` renders them; one of them is edited."""
+
+    SIZE = 128
+    pictures = []  # of two seeds, rendered once
+
+    def edited(self, edit):
+        """The picture with another seed, after `edit(rows)`, in which a pixel is 12 bytes."""
+        if not self.pictures:
+            for seed in ("1", "2"):
+                path = self.render("x.pfm", "--size=128x128", "--spp=64", "--seed", seed)
+                self.pictures.append(path.read_bytes())
+        a, b = self.folder / "a.pfm", self.folder / "b.pfm"
+        for path, data in zip((b, a), self.pictures):
+            path.write_bytes(data)
+        self.assertEqual(self.diff(a, b).returncode, 0)
+        start, row = len(b"PF\n128 128\n-1.0\n"), 12 * self.SIZE
+        rows = [
+            [data[at + x : at + x + 12] for x in range(0, row, 12)]
+            for at in range(start, start + self.SIZE * row, row)
+        ]
+        edit(rows)
+        pixels = b"".join(pixel for pixels in rows for pixel in pixels)
+        a.write_bytes(data[:start] + pixels + data[start + len(pixels) :])
+        return a, b
+
+    def test_a_row_and_a_column_that_are_black(self):
+        def black_row(rows):  # stored from the bottom up
+            rows[self.SIZE - 1 - 50] = [bytes(12)] * self.SIZE
+
+        def black_column(rows):
+            for row in rows[:90]:  # not the ceiling, which has no noise
+                row[50] = bytes(12)
+
+        self.check_different(*self.edited(black_row), "columns 0 to 127, rows 50 to 50")
+        self.check_different(*self.edited(black_column), "columns 50 to 50, rows 0 to 127")
+
+    def test_pairs_of_rows_or_columns_that_are_exchanged(self):
+        def exchange_columns(rows):
+            for row in rows:
+                row[::2], row[1::2] = row[1::2], row[::2]
+
+        def exchange_rows(rows):
+            rows[::2], rows[1::2] = rows[1::2], rows[::2]
+
+        words = "its pixels are further off than their noise"
+        self.check_different(*self.edited(exchange_columns), words)
+        self.check_different(*self.edited(exchange_rows), words)
+
+    def test_a_tile_that_is_20_percent_darker(self):
+        for left, top in ((32, 64), (36, 68)):
+
+            def darken(rows):
+                for row in rows[top : top + 8]:
+                    for x in range(left, left + 8):
+                        row[x] = struct.pack("<3f", *(0.8 * v for v in struct.unpack("<3f", row[x])))
+
+            self.check_different(*self.edited(darken))
 
 
 class Diff(programs.InFolder):
@@ -281,6 +348,10 @@ class Diff(programs.InFolder):
         self.check_cannot(f"B: '{nothing}' wrote no image", "stage1", nothing)
         failing = self.program("failing", "exit 3")
         self.check_cannot("ended with exit code 3", failing, "stage1")
+
+    def test_a_program_that_never_ends_is_stopped(self):
+        endless = self.program("endless", "while :; do :; done")
+        self.check_cannot("it may run for LIMIT=1 seconds", endless, "stage1", LIMIT=1)
 
     def test_one_picture_twice_is_refused(self):
         same = self.program("same", f'exec {shlex.quote(str(self.build))}/stage1 "$@" --seed 1')

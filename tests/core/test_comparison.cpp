@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "common/math/random.hpp"
 #include "common/render/film.hpp"
@@ -145,6 +148,92 @@ TEST_CASE("tiles grow where there are few samples to a pixel") {
   CHECK(tile_scale(many, many) == 1);
   CHECK(tile_scale(few, many) == 8);
   CHECK(regions_of(32, 32, 1).size() == 1 + 16 + 64);
+}
+
+TEST_CASE("rows and columns are as wide as few samples make necessary") {
+  const auto has = [](const std::vector<Region>& all, const Region& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  };
+  const auto fine = more_regions_of(32, 32, 1);
+  CHECK(has(fine, {0, 7, 32, 1}));
+  CHECK(has(fine, {7, 0, 1, 32}));
+  CHECK(has(fine, {4, 12, 8, 8}));  // moved by half a tile
+  const auto coarse = more_regions_of(32, 32, 2);  // tiles of 64 pixels
+  CHECK_FALSE(has(coarse, {0, 6, 32, 1}));
+  CHECK(has(coarse, {0, 6, 32, 2}));
+}
+
+// The three channels of this noise are equal, so the sum has 1024 terms of
+// variance 2: it scatters by sqrt(2/1024) = 0.044, and the mean of 40 sums by
+// 0.007. Four times that are allowed.
+TEST_CASE("the squared differences of pixels add up to their noise") {
+  Bands none;
+  none.tile = none.floor = 0;
+  for (const int samples : {16, 64}) {  // 16 samples: squares of 4 pixels
+    double times = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      const PixelSum sum = sum_over_pixels(
+          noise(samples, seed), noise(samples, seed + 1000), none);
+      times += sum.times / 40;
+      CHECK(std::abs(sum.z) < 4.4);
+    }
+    const double terms = samples == 16 ? 256 : 1024;
+    CAPTURE(samples);
+    CHECK(std::abs(times - 1) < 4 * std::sqrt(2 / terms / 40));
+  }
+}
+
+// Columns of radiance 1 and 1.4 in turn. A difference of 0.4 is 4 standard
+// deviations of a pixel, and the mean of each tile is right.
+TEST_CASE("exchanged columns are further apart than their noise") {
+  const auto columns = [](std::uint64_t seed, int bright) {
+    RenderResult result = noise(64, seed);
+    for (int x = bright; x < 32; x += 2) {
+      for (int y = 0; y < 32; ++y) result.radiance.at(x, y) += Vec3(0.4f);
+    }
+    return result;
+  };
+  const RenderResult reference = columns(1, 0);
+  CHECK(sum_over_pixels(columns(2, 0), reference, {}).z < 4.4);
+  CHECK(sum_over_pixels(columns(2, 1), reference, {}).z > 20);
+  for (const auto& one :
+       compare_regions(columns(2, 1), reference, {}, 1)) {
+    CHECK(one.same({}));
+  }
+}
+
+// A caustic's path that one picture found and the other did not.
+TEST_CASE("a firefly in every tenth pixel is noise") {
+  const auto with_fireflies = [](std::uint64_t seed) {
+    RenderResult result = noise(64, seed);
+    Random random(seed, 0, 0);
+    for (std::size_t i = 0; i < 1024; ++i) {
+      if (random.uniform() > 0.1f) continue;
+      result.radiance.pixels[i] += Vec3(1000.0f / 64);
+      result.variance.pixels[i] += Vec3(1e6f / 64);
+    }
+    return result;
+  };
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CHECK(sum_over_pixels(with_fireflies(seed), with_fireflies(seed + 1000),
+                          {})
+              .z < 4.4);
+  }
+}
+
+// Uniform noise of mean 1 has the variance 1/3. A tile of 64 pixels and 64
+// samples has sigma = sqrt(2/3/4096) = 0.0128; the larger of two variances
+// counts, which is 9 % more of one of them. Seen is band + (4.4 + 2) sigma.
+TEST_CASE("what would have been seen is computed from the noise") {
+  const RenderResult a = noise(64, 1), b = noise(64, 2);
+  const auto all =
+      compare_regions(a, b, {}, more_regions_of(32, 32, tile_scale(a, b)));
+  CHECK(tile_scale(a, b) == 2);
+  const std::string said = same_as_far_as_seen(all, {}, 8);
+  CAPTURE(said);
+  const double percent = std::stod(said.substr(said.find(" is ") + 4));
+  CHECK(percent > 100 * (0.02 + 6.4 * 0.0128));
+  CHECK(percent < 100 * (0.02 + 6.4 * 0.0128) * 1.2);
 }
 
 // 2 Q(4.4) = 1.08e-5, and a few thousand regions.
