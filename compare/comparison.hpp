@@ -188,15 +188,16 @@ inline std::vector<RegionDifference> compare_regions(
 }
 
 // Two pictures may agree in each region and be different: two columns are
-// exchanged, or a texture is shifted by a pixel. Then pixels are further apart
-// than their noise, and a sum over the picture shows it:
+// exchanged, or a texture is shifted by a pixel. Then pixels are further
+// apart than their noise, and a sum over the picture shows it:
 //
 // $$S = \sum t^2 = \sum \frac{(a - b)^2}{v_a/n_a + v_b/n_b}$$
 //
-// Without an error the mean of $t^2$ is Student's, $\nu/(\nu - 2)$, and a rare
-// bright path makes no large $t$: its pixel's variance has it, too. A picture
-// of fewer samples misses more such paths, so there the larger variance counts
-// for both. A difference of the band adds its own square to $(a - b)^2$.
+// Without an error the mean of $t^2$ is Student's, $\nu/(\nu - 2)$, and a
+// rare bright path makes no large $t$: its pixel's variance has it, too. A
+// picture of fewer samples misses more such paths, so there the larger
+// variance counts for both. A difference of the band adds its own square to
+// $(a - b)^2$.
 
 struct PixelSum {
   double times = 0;  ///< S over what noise makes; the worst channel's

@@ -1,6 +1,6 @@
 // stage-diff A B: are these two renders the same picture?
 //
-// Exit codes: 0 the same as far as can be seen, 1 different, 2 cannot compare.
+// Exit codes: 0 the same, 1 different, 2 cannot compare.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -95,7 +95,8 @@ void borrow_variance(const std::string& path, RenderResult& poor,
   std::fprintf(stderr,
                "stage-diff: %s has no variance: %s taken to be as noisy as "
                "the other\n",
-               one_line(path).c_str(), counted ? "a sample of it is" : "it is");
+               one_line(path).c_str(),
+               counted ? "a sample of it is" : "it is");
 }
 
 void warn_of_other_settings(const RenderInfo& a, const RenderInfo& b) {

@@ -129,8 +129,8 @@ inline std::string describe(const std::vector<RegionDifference>& all,
          channel_names[static_cast<std::size_t>(tile->channel)];
 }
 
-/// "the same: a tile that is 9 % off would have been seen (8 x 8 pixels)", and
-/// that 49 times in 50, even in the noisiest tile that is not black.
+/// "the same: a tile that is 9 % off would have been seen (8 x 8 pixels)":
+/// 49 times in 50, even in the noisiest tile that is not black.
 inline std::string same_as_far_as_seen(
     const std::vector<RegionDifference>& all, const Bands& bands, int size) {
   double largest = 0;
