@@ -208,14 +208,14 @@ void print_json(bool same, const Totals& totals, const std::string& verdict,
                 const RegionDifference& worst, double z_critical) {
   const Region& r = worst.region;
   const nlohmann::ordered_json region = {
-      {"left", r.left},     {"top", r.top},
-      {"width", r.width},   {"height", r.height},
+      {"left", r.left},           {"top", r.top},
+      {"width", r.width},         {"height", r.height},
       {"channel", worst.channel}, {"a", worst.test},
-      {"b", worst.reference}, {"z", worst.z}};
+      {"b", worst.reference},     {"z", worst.z}};
   const nlohmann::ordered_json json = {
-      {"same", same},           {"mean_ratio", totals.ratio},
-      {"rmse", totals.rmse},    {"relative_mse", totals.relative_mse},
-      {"worst", region},        {"z_critical", z_critical},
+      {"same", same},        {"mean_ratio", totals.ratio},
+      {"rmse", totals.rmse}, {"relative_mse", totals.relative_mse},
+      {"worst", region},     {"z_critical", z_critical},
       {"verdict", verdict}};
   std::printf("%s\n", json.dump().c_str());
 }

@@ -246,8 +246,7 @@ lightwalk_image_module();
 const lightwalk::ImageModule* lightwalk_image_module() {
   using namespace lightwalk;
   static const ImageModule module = {
-      guarded<start>,
-      guarded<encode_exr, const RenderResult&, std::string&>,
+      guarded<start>, guarded<encode_exr, const RenderResult&, std::string&>,
       guarded<read_radiance, const std::string&, const char*, RenderResult&>,
       guarded<read_texture, const std::string&, const char*, Texture&>};
   return &module;

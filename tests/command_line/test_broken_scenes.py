@@ -69,11 +69,6 @@ class NoSceneFile(InFolder):
     def test_a_name_that_no_file_can_have(self):
         self.check(18_000 * "x", 300 * "x" + "...: there is no such scene file")
 
-    @unittest.skipIf(os.geteuid() == 0, "root may search every folder")
-    def test_a_folder_that_may_not_be_searched(self):
-        (self.folder / "closed").mkdir(mode=0o600)
-        self.check("closed/scene.toml", "closed/scene.toml: Permission denied")
-
     def test_a_name_that_is_empty(self):
         self.check("", "'': there is no such scene file")
 

@@ -46,16 +46,17 @@ class Outputs(InFolder):
     def assert_whole(self, path):
         self.assertEqual(read_pfm(path)[:2], (8, 8))
 
-    def render_unprivileged(self, *arguments, **options):
+    def render_unprivileged(self, *arguments, scene=BOX, **options):
         """Like `render`, for a program that may change only the contents of the folder."""
         if os.geteuid() != 0:
-            return self.render(*arguments, **options)
+            return run("stage1", scene, *SMALL, *arguments, folder=self.folder, **options)
         # Other users may not enter root's home, where the tree may be.
         place = pathlib.Path(tempfile.mkdtemp(prefix="lightwalk-"))
         self.addCleanup(shutil.rmtree, place)
-        program, scene = (pathlib.Path(shutil.copy(file, place)) for file in (BUILD / "stage1", BOX))
-        for file in (place, program, scene):
+        program, box = (pathlib.Path(shutil.copy(file, place)) for file in (BUILD / "stage1", BOX))
+        for file in (place, program, box):
             file.chmod(0o755)
+        scene = box if scene == BOX else scene
         self.folder.chmod(0o777)
         nobody = {"user": 65534, "group": 65534, "extra_groups": []}
         return run_command([program, scene, *SMALL, *arguments], cwd=self.folder, **nobody, **options)
@@ -65,6 +66,12 @@ class Outputs(InFolder):
 
 
 class WhatIsThere(Outputs):
+    def test_a_scene_in_a_folder_that_may_not_be_searched(self):
+        (self.folder / "closed").mkdir(mode=0o600)
+        result = self.render_unprivileged("-o", "out.pfm", scene="closed/scene.toml")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr, "stage1: closed/scene.toml: Permission denied\n")
+
     def test_a_link_stays_and_the_file_it_leads_to_is_replaced(self):
         (self.folder / "deep").mkdir()
         for target in ["deep/a.pfm", self.folder / "b.pfm", "none_yet.pfm"]:

@@ -60,8 +60,7 @@ class StageDiff(Pictures):
             result = self.diff(a, reference)
             self.assertEqual(result.returncode, 0, result.stdout)
             self.assertRegex(
-                result.stdout,
-                r"^the same: a tile that is \d+ % off would have been seen \(8 x 8 pixels\)\n",
+                result.stdout, r"^the same: a tile that is \d+ % off would have been seen \(8 x 8 pixels\)\n"
             )
             self.assertEqual(result.stderr, "")
 

@@ -157,7 +157,7 @@ TEST_CASE("rows and columns are as wide as few samples make necessary") {
   const auto fine = more_regions_of(32, 32, 1);
   CHECK(has(fine, {0, 7, 32, 1}));
   CHECK(has(fine, {7, 0, 1, 32}));
-  CHECK(has(fine, {4, 12, 8, 8}));  // moved by half a tile
+  CHECK(has(fine, {4, 12, 8, 8}));                 // moved by half a tile
   const auto coarse = more_regions_of(32, 32, 2);  // tiles of 64 pixels
   CHECK_FALSE(has(coarse, {0, 6, 32, 1}));
   CHECK(has(coarse, {0, 6, 32, 2}));
@@ -172,8 +172,8 @@ TEST_CASE("the squared differences of pixels add up to their noise") {
   for (const int samples : {16, 64}) {  // 16 samples: squares of 4 pixels
     double times = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-      const PixelSum sum = sum_over_pixels(
-          noise(samples, seed), noise(samples, seed + 1000), none);
+      const PixelSum sum = sum_over_pixels(noise(samples, seed),
+                                           noise(samples, seed + 1000), none);
       times += sum.times / 40;
       CHECK(std::abs(sum.z) < 4.4);
     }
@@ -196,8 +196,7 @@ TEST_CASE("exchanged columns are further apart than their noise") {
   const RenderResult reference = columns(1, 0);
   CHECK(sum_over_pixels(columns(2, 0), reference, {}).z < 4.4);
   CHECK(sum_over_pixels(columns(2, 1), reference, {}).z > 20);
-  for (const auto& one :
-       compare_regions(columns(2, 1), reference, {}, 1)) {
+  for (const auto& one : compare_regions(columns(2, 1), reference, {}, 1)) {
     CHECK(one.same({}));
   }
 }
@@ -215,9 +214,9 @@ TEST_CASE("a firefly in every tenth pixel is noise") {
     return result;
   };
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    CHECK(sum_over_pixels(with_fireflies(seed), with_fireflies(seed + 1000),
-                          {})
-              .z < 4.4);
+    CHECK(
+        sum_over_pixels(with_fireflies(seed), with_fireflies(seed + 1000), {})
+            .z < 4.4);
   }
 }
 

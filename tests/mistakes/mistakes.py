@@ -148,7 +148,10 @@ class Suite:
         if not self.header:
             raise Failure(f"stage {stage} is not in this tree")
         self.name = self.header.relative_to(ROOT)
-        self.tests, self.code = Command(self.target, "suite"), Command(f"stage{stage}_header", f"stage{stage}.")
+        self.tests, self.code = (
+            Command(self.target, "suite"),
+            Command(f"stage{stage}_header", f"stage{stage}."),
+        )
         self.declared = BUILD / "tests/generated/declared" / self.name
         self.folder = self.tests.folder
         self.link = link_command(self.target, self.folder)

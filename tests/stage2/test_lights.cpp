@@ -147,8 +147,8 @@ TEST_CASE(
     const float size = distance + max_abs_component(center);
     const float gap = distance - one.distance;
     if (!(gap > 1e-7f * size && gap < 1e-5f * size)) {
-      FAIL_CHECK(light << "the distance is " << gap << " less than d = "
-                       << distance << ", expected about "
+      FAIL_CHECK(light << "the distance is " << gap
+                       << " less than d = " << distance << ", expected about "
                        << stage2::distance_rounding / 2 * size);
     }
   }
@@ -223,10 +223,9 @@ TEST_CASE("a sphere's mean weight is L_e times its solid angle") {
     const SphereLight ball{{0, distance, 0}, 1, three_colors};
     const double s = 1 / (static_cast<double>(distance) * distance);
     INFO("a ball of radius 1 at the distance ", distance, ": (r/d)^2 is ", s);
-    check_mean_weight("L_e times the cone's solid angle",
-                      weights_at(ball, Vec3(0)),
-                      2 * std::numbers::pi * s / (1 + std::sqrt(1 - s)),
-                      1e-5);
+    check_mean_weight(
+        "L_e times the cone's solid angle", weights_at(ball, Vec3(0)),
+        2 * std::numbers::pi * s / (1 + std::sqrt(1 - s)), 1e-5);
   }
 }
 
@@ -242,10 +241,10 @@ TEST_CASE("a point light gives I/d^2 to what faces it, near or far") {
               sample_light(PointLight{{5, 6, 4}, power}, x, u).weight,
               power / 36.0f);
   // 3/64 away, where I/d^2 is more than I.
-  check_color("I/d^2 at d = 3/64",
-              sample_light(PointLight{x + Vec3(1, 2, 2) / 64.0f, power}, x, u)
-                  .weight,
-              power * (64 * 64 / 9.0f));
+  check_color(
+      "I/d^2 at d = 3/64",
+      sample_light(PointLight{x + Vec3(1, 2, 2) / 64.0f, power}, x, u).weight,
+      power * (64 * 64 / 9.0f));
 }
 
 // Far away all points have the same distance and angle, and A = |u x v| = 6.

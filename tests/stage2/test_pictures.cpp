@@ -24,8 +24,8 @@ TEST_CASE("sampling the lamps gives the picture that hitting them gives") {
                         {"cornell_box_sphere_lamp_diffuse", 2, true},
                         {"cornell_box_ceiling_diffuse", 2, false}};
   for (const Case& one : cases) {
-    INFO("scene ", one.scene, ", at most ",
-         bounces_in_words(one.max_bounces), ", against stage 1");
+    INFO("scene ", one.scene, ", at most ", bounces_in_words(one.max_bounces),
+         ", against stage 1");
     Scene scene = scene_file(one.scene, 24, 24);
     RenderSettings settings;
     settings.max_bounces = one.max_bounces;

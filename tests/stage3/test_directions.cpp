@@ -106,7 +106,8 @@ TEST_CASE("a refracted ray taken backwards gives the incoming ray") {
     const Vec3 wo =
         stage1::sample_uniform_hemisphere(normal, random.uniform_2d());
     const auto wi = refract(wo, normal, 1 / 1.5f);
-    INFO("wo = ", wo, " is bent into glass to ", wi, ", expected a direction");
+    INFO("wo = ", wo, " is bent into glass to ", wi,
+         ", expected a direction");
     REQUIRE(wi.has_value());
     const auto back = refract(*wi, -normal, 1.5f);
     INFO("and back out of it to ", back, ", expected ", wo);

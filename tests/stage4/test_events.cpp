@@ -91,8 +91,7 @@ TEST_CASE("every lobe with a coefficient has a chance") {
           FAIL_CHECK("the probability of the "
                      << events[i] << " lobe is " << p << " at bounce "
                      << bounce << " where the only coefficient is "
-                     << coefficients[lobe] << " = " << k
-                     << ", expected "
+                     << coefficients[lobe] << " = " << k << ", expected "
                      << (i == lobe ? "more than 0" : "0"));
         }
       }
@@ -142,8 +141,7 @@ TEST_CASE("maxima that add to more than 1 are scaled down to fit the bar") {
   const auto p = lobe_probabilities(
       material({0.9f, 0, 0}, {0, 0.9f, 0}, {0, 0, 0.9f}), 0);
   INFO("diffuse ", p.diffuse, ", specular ", p.specular, ", refraction ",
-       p.refraction,
-       " for maxima of 0.9 each, expected 1 in all, or less");
+       p.refraction, " for maxima of 0.9 each, expected 1 in all, or less");
   CHECK(p.diffuse + p.specular + p.refraction <= 1 + 1e-6f);
   const auto grey =
       lobe_probabilities(material(Vec3(0.3f), Vec3(0.3f), Vec3(0.3f)), 0);

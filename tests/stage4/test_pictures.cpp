@@ -22,8 +22,8 @@ TEST_CASE("with a bound of N bounces the picture is stage 3's") {
       {"cornell_box_ceiling", 5},      {"plastic", 2},
       {"cornell_box_lamp_diffuse", 3}, {"coloured_lobes", 3}};
   for (const Case& one : cases) {
-    INFO("scene ", one.scene, ", at most ",
-         bounces_in_words(one.max_bounces), ", against stage 3");
+    INFO("scene ", one.scene, ", at most ", bounces_in_words(one.max_bounces),
+         ", against stage 3");
     Scene scene = scene_file(one.scene, 24, 24);
     RenderSettings settings;
     settings.max_bounces = one.max_bounces;

@@ -65,8 +65,8 @@ TEST_CASE("Fresnel shares out the coefficients of mirror and glass only") {
 // Of glass without a mirror lobe only the refraction is left: (1 - F) kt. What
 // F would reflect is lost, inside beyond the critical angle all of it.
 TEST_CASE("fresnel takes F from kt without ks, too, from either side") {
-  const Scene scene = in_white_room("{ kt = 1, fresnel = true }",
-                                    ball("thing"));
+  const Scene scene =
+      in_white_room("{ kt = 1, fresnel = true }", ball("thing"));
   const auto front = scene.nearest_hit({{0, 0, -5}, {0, 0, 1}});
   const auto back = scene.nearest_hit({{0, 0, 0}, {0, 0, 1}});
   REQUIRE(front.has_value());
@@ -185,11 +185,12 @@ TEST_CASE("a patterned floor under a light: kd/pi I / h^2") {
 
 // The diffuse lobe is not shared out: kd/pi I cos/d^2 at any angle of view.
 // The mirrored ray leaves the scene.
-TEST_CASE("direct light on varnish: kd/pi I cos/d^2, also at a grazing view") {
-  const Scene scene = scene_text(
-      floor_of("{ kd = 0.5, ks = 0.4, fresnel = true }") +
-      "[[lights]]\ntype = \"point\"\ncenter = [0, 2, 0]\n"
-      "intensity = 9\n");
+TEST_CASE(
+    "direct light on varnish: kd/pi I cos/d^2, also at a grazing view") {
+  const Scene scene =
+      scene_text(floor_of("{ kd = 0.5, ks = 0.4, fresnel = true }") +
+                 "[[lights]]\ntype = \"point\"\ncenter = [0, 2, 0]\n"
+                 "intensity = 9\n");
   // F is 0.04, 0.25 and 0.61.
   for (const double degrees : {0.0, 75.0, 85.0}) {
     const double angle = degrees * std::acos(-1.0) / 180;

@@ -173,8 +173,10 @@ TEST_CASE("a sphere is a globe: middle to -z, east to +x, north to +y") {
   CHECK(std::abs(south.y) < 1e-5f);
   const Vec2 east = uv_at(scene, {0.01f, 0, 9}, {0, 0, 0});
   const Vec2 west = uv_at(scene, {-0.01f, 0, 9}, {0, 0, 0});
-  INFO("just beside the seam u is ", east.x, " in the far east, expected 1, "
-       "and ", west.x, " in the far west, expected 0");
+  INFO("just beside the seam u is ", east.x,
+       " in the far east, expected 1, "
+       "and ",
+       west.x, " in the far west, expected 0");
   CHECK(east.x > 0.99f);
   CHECK(west.x < 0.01f);
 }

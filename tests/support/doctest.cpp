@@ -29,9 +29,9 @@ struct SuiteReporter : doctest::XmlReporter {
       return;
     }
     const auto severity = static_cast<doctest::assertType::Enum>(
-        check.m_at & (doctest::assertType::is_warn |
-                      doctest::assertType::is_check |
-                      doctest::assertType::is_require));
+        check.m_at &
+        (doctest::assertType::is_warn | doctest::assertType::is_check |
+         doctest::assertType::is_require));
     XmlReporter::log_message({"", check.m_file, check.m_line, severity});
   }
 

@@ -76,8 +76,8 @@ void check_point_light_lights_one_lobe() {
 /// whatever the floor's ks and kt: ks kd / pi I / 1^2.
 template <class PathTracer>
 void check_lit_floor_in_a_mirror() {
-  for (const char* floor : {"{ kd = 0.5 }", "{ kd = 0.2, ks = 0.7 }",
-                            "{ kd = 0.2, kt = 0.7 }"}) {
+  for (const char* floor :
+       {"{ kd = 0.5 }", "{ kd = 0.2, ks = 0.7 }", "{ kd = 0.2, kt = 0.7 }"}) {
     const Scene scene = scene_text(
         std::string("[materials]\nmirror = { ks = [0.9, 0.6, 0.3] }\n"
                     "floor = ") +

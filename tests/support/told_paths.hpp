@@ -63,9 +63,8 @@ material = "wall"
       if (vertex.bounce < max_bounces) all_added += vertex.throughput * added;
       longest = std::max(longest, vertex.bounce);
     }
-    const bool usual =
-        one_path && told_any &&
-        max_component(glm::abs(radiance - all_added)) <= 1e-5f;
+    const bool usual = one_path && told_any &&
+                       max_component(glm::abs(radiance - all_added)) <= 1e-5f;
     if (!lights.empty()) seen.add(radiance.x);
     Vec3 sum(0), told(0);
     int bounce = -1;
@@ -104,8 +103,8 @@ material = "wall"
                      << ": each vertex adds its throughput times kd. If "
                         "tests of light fail, too, start with those");
         }
-        if (one_path && !(before >= told[c] &&
-                          before <= radiance[c] * 1.00001f)) {
+        if (one_path &&
+            !(before >= told[c] && before <= radiance[c] * 1.00001f)) {
           FAIL(where << "the sum before it is " << before << in_channel
                      << ", expected from " << told[c]
                      << ", the one before, to " << radiance[c]
