@@ -118,6 +118,11 @@ def split(text):
                 end = closing(code, place)
                 if end is None:
                     break
+                # S(int a) : b{a} {}: the first braces are no body.
+                last = declaration.rstrip()[-1:]
+                if re.search(r"(?<!:):(?!:)", bare) and (last.isalnum() or last == "_"):
+                    place = end
+                    continue
                 if ")" in declaration and ("=" not in bare or "operator" in declaration):
                     within_class = "class" in scopes
                     if is_separable(declaration, within_class):

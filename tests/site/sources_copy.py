@@ -38,6 +38,7 @@ class Copy(unittest.TestCase):
         for folder in SOURCES:
             # With Python's compiled files: otherwise each test would compile all tools.
             shutil.copytree(ROOT / folder, self.root / folder)
+        shutil.copy(ROOT / "tests/split_header.py", self.root / "tests")
         self.build = self.root / "build"
         self.build.mkdir()
         for made in (
