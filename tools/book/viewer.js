@@ -44,7 +44,7 @@ document.addEventListener("DOMContentLoaded", () => {
     return [...figure.querySelectorAll(".panel img:not(.only-dark)")];
   }
   function comparable(all) {
-    return all.filter((picture) => !/\.svg$/.test(picture.src));
+    return all.filter((picture) => !/\.svg$|^data:image\/svg/.test(picture.src));
   }
   function label(picture) {
     return picture.closest(".panel").innerText.trim() || picture.alt;

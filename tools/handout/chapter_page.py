@@ -1,11 +1,13 @@
-"""The chapter as a page for a student's browser, made from the book's page:
-without solutions, answers and links to other pages."""
+"""The chapter as one file that a student opens in a browser, made from the book's
+page: without its solutions, its answers and its links to other pages."""
 
+import base64
+import difflib
+import mimetypes
 import re
-from pathlib import Path
 
 from tools.exercises.sheet import title_of
-from tools.tree import BUILD
+from tools.tree import BUILD, stage_headers, text_of
 
 BOOK = BUILD / "book"
 PAGE = """\
@@ -15,14 +17,14 @@ PAGE = """\
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width,initial-scale=1">
 <title>{title}</title>
-{styles}
+<style>{styles}</style>
 </head>
 <body data-theme="auto">
 <div class="page"><div class="main"><div class="content"><div class="article-container">
 {article}
 </div></div></div></div>
 {glyphs}
-{scripts}
+<script>{scripts}</script>
 </body>
 </html>
 """
@@ -61,41 +63,77 @@ def without_links(article):
         address, words = match.groups()
         return match[0] if address.startswith(("#", "https:")) else f"<span>{words}</span>"
 
-    article = re.sub(r'<p>\s*<a[^>]*href="[^"]*slides/[^"]*"[^>]*>[^<]*</a>\s*</p>', "", article)
+    article = re.sub(r'<p[^>]*>\s*<a[^>]*href="[^"]*slides/[^"]*"[^>]*>.*?</a>\s*</p>', "", article)
     return LINK.sub(text, article)
 
 
-def static_files(styles):
-    """The style sheets, their fonts and the scripts: {path: bytes}."""
-    names = [*styles, *SCRIPTS]
-    for style in styles:
-        fonts = FONT.findall((BOOK / "_static" / style).read_text(encoding="utf-8"))
-        names += [f"{Path(style).parent}/files/{font}" for font in fonts if SUBSETS.search(font)]
-    return {f"static/{name}": (BOOK / "_static" / name).read_bytes() for name in names}
+def data_of(path):
+    """The file's content as an address."""
+    kind = mimetypes.guess_type(path.name)[0] or "font/woff2"
+    return f"data:{kind};base64,{base64.b64encode(path.read_bytes()).decode()}"
 
 
-def chapter_page(header):
-    """The page and all files that it needs, in the folder chapter/: {path: bytes};
-    empty if the book is not built."""
+def style_sheet(name):
+    """The text of a style sheet, with the fonts that the book's language needs."""
+    path = BOOK / "_static" / name
+    text = path.read_text(encoding="utf-8")
+    faces = re.split(r"(?=@font-face)", text)
+    kept = [face for face in faces if not FONT.search(face) or SUBSETS.search(FONT.search(face)[1])]
+    return FONT.sub(lambda font: f"url({data_of(path.parent / 'files' / font[1])})", "".join(kept))
+
+
+def with_lines_of(handed_out, article, header):
+    """With the numbers that lines have in the student's file."""
+    theirs = handed_out.splitlines()
+    matches = difflib.SequenceMatcher(None, text_of(header).splitlines(), theirs, autojunk=False)
+    number = {one.a + i + 1: one.b + i + 1 for one in matches.get_matching_blocks() for i in range(one.size)}
+
+    def renumbered(match):
+        old = int(match[2])
+        new = str(number.get(old, old))
+        return f'<span class="linenos" id="L{new}">{match[1]}{new.rjust(len(match[2]))}</span>'
+
+    return re.sub(r'<span class="linenos" id="L\d+">( *)(\d+)</span>', renumbered, article)
+
+
+def table_of_contents(article, header):
+    """Links to the sections, to the lab sheet and to the chapters before."""
+    sections = re.findall(
+        r'<section id="([^"]+)">\s*(?:<span[^>]*></span>)*<h2>(.*?)<a class="headerlink"', article
+    )
+    rows = "".join(f'<li><a href="#{name}">{title}</a></li>' for name, title in sections)
+    links = ['<a href="README.md">The lab sheet</a>']
+    for other in stage_headers():
+        if other.parent.name < header.parent.name and book_page(other):
+            links.append(f'<a href="../{other.parent.name}/chapter.html">Stage {other.parent.name[0]}</a>')
+    return (
+        f'<nav aria-label="Contents"><p>{" · ".join(links)}</p>'
+        f"<details><summary>Contents</summary><ol>{rows}</ol></details></nav>"
+    )
+
+
+def chapter_page(header, handed_out):
+    """The page, "chapter.html", by the text of the header that goes with it: {path:
+    bytes}; nothing where the book is not there."""
     source = book_page(header)
     if not source:
         return {}
     text = source.read_text(encoding="utf-8")
     article = text[text.index("<article") : text.index("</article>") + len("</article>")]
-    article = without_links(without_solutions(article))
-    styles = STYLE.findall(text)
-    files = static_files(styles)
-    links = [f'<link rel="stylesheet" href="static/{name}">' for name in styles]
-    links += re.findall(r"<style>.*?</style>", text, re.S)  # the theme's
-    for name in set(re.findall(r'src="\.\./_images/([^"]+)"', article)):
-        files[f"images/{name}"] = (BOOK / "_images" / name).read_bytes()
+    article = with_lines_of(handed_out, without_links(without_solutions(article)), header)
+    article = article.replace("</h1>", "</h1>\n" + table_of_contents(article, header), 1)
+    article = re.sub(
+        r'src="\.\./_images/([^"]+)"', lambda image: f'src="{data_of(BOOK / "_images" / image[1])}"', article
+    )
     glyphs = re.search(r'<svg[^>]*id="MJX-SVG-global-cache".*?</svg>', text, re.S)
+    styles = [style_sheet(name) for name in STYLE.findall(text)]
+    styles += re.findall(r"<style>(.*?)</style>", text, re.S)  # the theme's
+    scripts = [(BOOK / "_static" / name).read_text(encoding="utf-8") for name in SCRIPTS]
     page = PAGE.format(
         title=title_of(header),
-        styles="\n".join(links),
-        article=article.replace('src="../_images/', 'src="images/'),
+        styles="\n".join(styles),
+        article=article,
         glyphs=glyphs[0] if glyphs else "",
-        scripts="\n".join(f'<script src="static/{name}"></script>' for name in SCRIPTS),
+        scripts="\n".join(scripts),
     )
-    files["index.html"] = page.encode()
-    return {f"chapter/{path}": data for path, data in files.items()}
+    return {"chapter.html": page.encode()}

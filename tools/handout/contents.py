@@ -24,6 +24,7 @@ COMMON = (
     "tests/__init__.py",
     "tests/every_stage/stage.hpp.in",
     "tests/runner/",
+    "tests/split_header.py",
     "tests/suites.cmake",
     "tests/leaks.supp",
     "tools/__init__.py",
@@ -36,6 +37,8 @@ COMMON = (
     "LICENSE",
     "WORDS.md",
 )
+# The course's own tools and tests, and formats that no exercise needs.
+NOT_FOR_STUDENTS = re.compile(r"tools/exercises/(test_\w+|mistakes)\.py$|common/image/openimageio\.cpp$")
 # Files of a chapter's folder that only the book uses.
 FOR_THE_BOOK = ("/figures.toml", "/drawings.py")
 ANSWER = re.compile(r'^answer = (?:"""[\s\S]*?"""|"(?:[^"\\]|\\.)*")$', re.MULTILINE)
@@ -93,7 +96,9 @@ def support_of(paths, tracked):
     wanted = {path for path in support if not path.endswith(".hpp")}
     new = wanted | set(paths)
     while new:
-        included = {name for path in new for name in INCLUDE.findall((ROOT / path).read_text(encoding="utf-8"))}
+        included = {
+            name for path in new for name in INCLUDE.findall((ROOT / path).read_text(encoding="utf-8"))
+        }
         new = {f"tests/{name}" for name in included if f"tests/{name}" in support} - wanted
         wanted |= new
     return wanted
@@ -123,6 +128,7 @@ def contents(stage, tracked, solutions):
                 chosen.add(path)
         elif any(path == name or (name.endswith("/") and path.startswith(name)) for name in COMMON):
             chosen.add(path)
+    chosen = {path for path in chosen if not NOT_FOR_STUDENTS.match(path)}
     tests = [path for path in chosen if re.match(r"tests/(every_stage|stage\d)/.*\.cpp$", path)]
     chosen |= support_of(tests, tracked)
     files = {path: (ROOT / path).read_bytes() for path in sorted(chosen)}
@@ -135,12 +141,13 @@ def contents(stage, tracked, solutions):
             files[f"{folder}/path_tracer.hpp"] = opened(header).encode()
             sheet = files.get(f"{folder}/exercises.toml", b"").decode()
             files[f"{folder}/exercises.toml"] = ANSWER.sub('answer = ""', sheet).encode()
-            files[f"{folder}/README.md"] = lab_sheet(header).encode()
-            files |= {f"{folder}/{path}": data for path, data in chapter_page(header).items()}
         else:
             # Their marks stay, their stubs go.
             numbers = [one.number for one in exercises(header)]
             files[f"{folder}/path_tracer.hpp"] = opened(header, numbers).encode()
+        files[f"{folder}/README.md"] = lab_sheet(header).encode()
+        page = chapter_page(header, files[f"{folder}/path_tracer.hpp"].decode())
+        files |= {f"{folder}/{path}": data for path, data in page.items()}
     for path in sorted(OVERLAY.rglob("*")):
         if path.is_file():
             files[path.relative_to(OVERLAY).as_posix()] = path.read_bytes()
@@ -156,11 +163,14 @@ def readme(header):
         5: "scenes/checkered_floor.toml",
     }
     folder = f"stages/{header.parent.name}"
-    reading = "Read it from the top.\n"
+    reading = (
+        "Read it from the top. A line `![](name)` is a figure; figures are in the book,\n"
+        "which your instructor can make with `make book` and hand out, too.\n"
+    )
     if book_page(header):
         reading = (
-            f"Read it from the top, in a browser: `{folder}/chapter/index.html` has\n"
-            "the same text with its formulas set and its figures.\n"
+            f"Read it from the top, in a browser: [{folder}/chapter.html]({folder}/chapter.html)\n"
+            "has the same text with its formulas set and its figures.\n"
         )
     return (
         (OVERLAY / "README.md")

@@ -37,7 +37,7 @@ def all_files(stage, solutions):
 
 
 def tell_missing_page(stage, files):
-    if not any(re.match(rf"stages/{stage}_\w+/chapter/", path) for path in files):
+    if not any(re.match(rf"stages/{stage}_\w+/chapter.html", path) for path in files):
         print(
             "  without the chapter as a page with its figures: "
             "run `make book` first, then handouts include it"

@@ -25,7 +25,7 @@ from tools.exercises.sheet import headers_with_exercises, read_sheet
 from tools.handout.contents import contents, stage_of
 from tools.handout.handout import add_to, make_new
 from tools.handout.repository import tracked_files
-from tools.tree import ROOT, Failure, tests_filter
+from tools.tree import Failure, tests_filter
 
 # A shorter line of a solution may occur anywhere by chance.
 LONGEST_CHANCE = 20

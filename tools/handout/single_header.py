@@ -184,7 +184,9 @@ def title(lines):
 
 
 def version(root):
-    return re.search(r"VERSION (\d[\d.]*)", (root / "CMakeLists.txt").read_text(encoding="utf-8").split("project(")[1])[1]
+    return re.search(
+        r"VERSION (\d[\d.]*)", (root / "CMakeLists.txt").read_text(encoding="utf-8").split("project(")[1]
+    )[1]
 
 
 def text_of(header, root=ROOT):

@@ -5,7 +5,6 @@ import contextlib
 import io
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -15,10 +14,6 @@ import unittest
 import unittest.mock as mock
 from pathlib import Path
 
-from tests.runner import watch
-from tests.runner.doctest_report import Test
-from tests.runner.suite import Outcome
-from tools.exercises import check, words
 from tools.exercises.marks import exercises, marks
 from tools.exercises.sheet import headers_with_exercises
 from tools.handout import contents as contents_of_handouts
@@ -30,68 +25,6 @@ from tools.handout.prove import leaks
 from tools.handout.repository import commit_all, git, tracked_files
 from tools.handout.student_tree import NOTE, is_inside, sum_of
 from tools.tree import ROOT, Failure
-
-
-class Messages(unittest.TestCase):
-    def test_formulas_are_plain_text(self):
-        for tex, text in (
-            (r"$f_r = k_d/\pi$", "f_r = k_d/π"),
-            (r"$\frac{\eta_o}{\eta_i}\sin\theta_o$", "η_o/η_i sin θ_o"),
-            (r"$\sqrt{1 - \xi_1}$", "√(1 - ξ_1)"),
-            ("take `wo`", "take wo"),
-        ):
-            with self.subTest(tex):
-                seen = words.plain(tex)
-                self.assertEqual(re.sub(r"\s", "", seen), re.sub(r"\s", "", text), seen)
-
-    def test_nothing_of_tex_is_left_in_any_task(self):
-        for path in ROOT.glob("stages/*/exercises.toml"):
-            for entry in tomllib.loads(path.read_text(encoding="utf-8")).get("exercise", []):
-                for text in (entry["task"], *entry["hints"]):
-                    with self.subTest(entry["number"]):
-                        self.assertNotRegex(words.plain(text), r"[\\$]")
-
-    def test_only_the_first_failing_test_is_explained(self):
-        golden = Test("golden images", "golden images", [("much darker", "")], 1, True)
-        mirror = Test("a mirror", "units", [("(0, 0, 3), expected (0, 0, 1)", "a.cpp:53")], 2, True)
-        text = check.explained(Outcome("stage3_tests", [golden, mirror]))
-        self.assertEqual(
-            text, "  a mirror\n  (a.cpp:53)\n    (0, 0, 3), expected (0, 0, 1)\n    (and 1 more in this test)"
-        )
-
-    def test_a_crash_is_told(self):
-        assertion = (
-            "/usr/include/c++/12/optional:477: constexpr _Tp& std::_Optional<_Tp>::_M_get() "
-            "[with _Tp = float]: Assertion 'this->_M_is_engaged()' failed.\n"
-        )
-        crash = Outcome("stage3_tests", printed=assertion, end="crash", why="The tests crashed")
-        self.assertEqual(
-            check.explained(crash),
-            "  optional:477: Assertion 'this->_M_is_engaged()' failed.\n\nThe tests crashed",
-        )
-
-    def test_a_sharper_failure_is_explained_before_a_crash(self):
-        mirror = Test("a mirror", "units", [("says", "")], 1, True)
-        crash = Outcome("stage3_tests", [mirror], end="crash", why="The tests crashed", kind=3)
-        self.assertEqual(check.explained(crash), "  a mirror\n    says\n\nThen the tests crashed")
-
-    @unittest.skipIf(os.name == "nt", "needs a shell")
-    def test_a_picture_that_does_not_end_is_left_out(self):
-        with tempfile.TemporaryDirectory() as folder:
-            program = Path(folder) / "stage1"
-            program.write_text("#!/bin/sh\nwhile :; do :; done\n")
-            program.chmod(0o755)
-            with (
-                mock.patch.multiple(check, BUILD=Path(folder), build=lambda target: ("", True)),
-                mock.patch.object(watch.communicate, "__defaults__", (None, 0.2)),
-                contextlib.redirect_stdout(io.StringIO()) as said,
-            ):
-                check.picture(1)
-            self.assertEqual(said.getvalue(), "")
-
-    def test_the_compilers_first_error_comes_first(self):
-        said = f"[1/2] Building\nFAILED: x\n{ROOT}/stages/a.hpp:3:1: error: no 'foo'\n  foo\n"
-        self.assertTrue(check.first_words(said).startswith("stages/a.hpp:3:1: error"))
 
 
 class Opened(unittest.TestCase):
@@ -292,7 +225,7 @@ class StudentTrees(unittest.TestCase):
         self.assertIn("stage = 2", (self.student / "tests/golden/goldens.toml").read_text())
 
     def test_a_chapter_that_was_handed_out_stays(self):
-        page = self.student / "stages/1_diffuse/chapter/index.html"
+        page = self.student / "stages/1_diffuse/chapter.html"
         page.parent.mkdir(exist_ok=True)
         page.write_text("the page")
         name = page.relative_to(self.student).as_posix()
@@ -397,7 +330,9 @@ class Scenes(unittest.TestCase):
         return sorted(contents_of_handouts.scenes_until(stage, list(texts)))
 
     def test_names(self):
-        texts = {name: b"x = 1" for name in ("scenes/my-scene.toml", "scenes/señal.toml", "scenes/lab1/a b.toml")}
+        texts = {
+            name: b"x = 1" for name in ("scenes/my-scene.toml", "scenes/señal.toml", "scenes/lab1/a b.toml")
+        }
         self.assertEqual(self.scenes(1, **texts), sorted(texts))
 
     def test_images_lie_beside_the_scene(self):
