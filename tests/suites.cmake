@@ -14,6 +14,9 @@ function(stage_target target source)
   target_link_libraries(${target} PRIVATE lightwalk)
   target_compile_definitions(
     ${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:_GLIBCXX_ASSERTIONS>)
+  if(NOT LIGHTWALK_WARNINGS_AS_ERRORS)
+    target_compile_definitions(${target} PRIVATE LIGHTWALK_ALL_WARNINGS)
+  endif()
   if(NOT MSVC)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
   endif()
@@ -88,6 +91,8 @@ if(NOT MSVC)
   endif()
 endif()
 target_compile_options(test_support PRIVATE ${test_options})
+# toml++ takes longer to read than all of it to compile: once is enough.
+set_target_properties(test_support PROPERTIES UNITY_BUILD ON)
 add_library(test_main OBJECT support/main.cpp)
 target_link_libraries(test_main PUBLIC test_support)
 
@@ -155,7 +160,6 @@ function(add_suite name)
   endif()
   set_target_properties(${name}_tests PROPERTIES BUILD_RPATH_USE_ORIGIN ON
                                                  BUILD_RPATH "${program_folder}")
-  add_dependencies(${name}_tests image_module)
   add_test(NAME ${name} COMMAND ${run_suite} $<TARGET_FILE:${name}_tests>
            WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
   set_tests_properties(${name} PROPERTIES LABELS ${name} TIMEOUT 0 ENVIRONMENT

@@ -21,6 +21,11 @@ class Failure(Exception):
     """An error that the user has to fix."""
 
 
+def text_of(path):
+    """What people have written, in whatever encoding: only its ASCII is looked at."""
+    return path.read_text(encoding="utf-8-sig", errors="replace")
+
+
 def stage_headers():
     """The chapters, in order."""
     return sorted(ROOT.glob("stages/[1-9]_*/path_tracer.hpp"))

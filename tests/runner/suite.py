@@ -93,9 +93,10 @@ def run(program, *options, seconds=None, idle_seconds=watch.IDLE_SECONDS, enviro
     return Outcome(str(program), report.tests, report.notes, text, end, why)
 
 
-def run_by_kinds(program, *options, **others):
+def run_by_kinds(program, *options, first_only=False, **others):
     """The same, the sharpest tests first. If these do not reach their end, the
-    others are not run."""
+    others are not run; with `first_only` the first check that fails ends the run."""
+    options = [*options, "--abort-after=1"] if first_only else options
     whole = Outcome(str(Path(program).absolute()))
     for kind, name in enumerate(KINDS):
         chosen = f"-ts={name}"
@@ -106,6 +107,6 @@ def run_by_kinds(program, *options, **others):
         whole.notes += [note for note in one.notes if note not in whole.notes]
         whole.printed += one.printed
         whole.end, whole.why, whole.kind = one.end, one.why, kind
-        if one.why:
+        if one.why or (first_only and one.caught_by):
             break
     return whole

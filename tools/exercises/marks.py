@@ -19,7 +19,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tools.tree import ROOT, Failure, stage_headers
+from tools.tree import ROOT, Failure, stage_headers, text_of
 
 LONGEST = 20
 REGION = re.compile(r"// #(end)?region ([\w-]+)$")
@@ -107,7 +107,7 @@ def exercises(path):
 def marks(path, root=ROOT):
     """The header's exercises in any state, in a tree that begins at root."""
     found, region, now = [], None, None
-    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+    for number, line in enumerate(text_of(path).splitlines(), 1):
         bare = line.strip()
         where = f"{path.relative_to(root)}:{number}"
         marker = REGION.match(bare)

@@ -14,7 +14,7 @@ import tomllib
 from dataclasses import dataclass, field
 
 from tools.exercises.marks import Exercise, exercises, order
-from tools.tree import ROOT, Failure, stage_headers, test_names, tests_filter
+from tools.tree import ROOT, Failure, stage_headers, test_names, tests_filter, text_of
 
 QUESTIONS, RECAP, HINTS = 3, 5, 3
 KEYS = {
@@ -87,7 +87,7 @@ def headers_with_exercises():
 
 def title_of(header):
     """The chapter's, "Stage 3: perfect mirrors and glass"."""
-    return next(line[5:] for line in header.read_text(encoding="utf-8").splitlines() if line.startswith("// # "))
+    return next(line[5:] for line in text_of(header).splitlines() if line.startswith("// # "))
 
 
 def task_file(header):

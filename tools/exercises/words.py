@@ -62,4 +62,5 @@ def formula(text):
 def plain(text):
     """Prose without its marks of formulas and code."""
     text = re.sub(r"\$\$?(.+?)\$\$?", lambda found: formula(found[1]), text, flags=re.DOTALL)
-    return re.sub(r"\s+", " ", text.replace("`", "")).strip()
+    text = text.replace("`", "")
+    return re.sub(r"[ \t]+", " ", re.sub(r"\n(?!\s*- )\s*", " ", text)).strip()

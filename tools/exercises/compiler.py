@@ -1,0 +1,147 @@
+"""What the compiler says, as far as it helps: the student's lines, without the
+notes on libraries, at most as wide as a terminal."""
+
+import contextlib
+import os
+import re
+import signal
+import subprocess
+from dataclasses import dataclass, field
+
+from tests.runner import watch
+from tools.tree import BUILD, ROOT
+
+WIDTH = 78
+# Of processor time; all that is compiled takes a third of it on a slow machine.
+MAX_SECONDS = 600
+MESSAGE = re.compile(r"^((?:[A-Za-z]:)?[^:\n]+):(\d+):(?:(\d+):)? (fatal error|error|warning|note): (.*)$")
+CONTEXT = re.compile(
+    r"^(In file included from |\s+from |.*: (In|At) |.*: required from )|^\[\d+/\d+\]|^ninja:|^FAILED:|^g?make"
+)
+# What is said by a compiler in its own words, and what it means here.
+EXPLAINED = (
+    (
+        r"operator\s?\*.*operand types are '(int|double)' and '.*(Vec3|vec<)"
+        r"|operator\s?\*.*operand types are '.*(Vec3|vec<).*' and '(int|double)"
+        r"|invalid operands to binary expression \('(int|double)' and '(const )?(Vec3|.*vec<)",
+        "A vector is multiplied by a float: write 2.0f * v, not 2 * v.",
+    ),
+    (
+        r"(class|struct) ?std::optional<.*has no member|no member named '.*' in 'std::optional",
+        "A std::optional may be empty: `if (!hit)` asks whether it is, and hit->normal\n"
+        "is the normal of what is in it; *hit is all of it.",
+    ),
+    (
+        r"could not convert .* from '.*optional<|no viable conversion from 'std::optional",
+        "A std::optional may be empty: *hit is what is in it.",
+    ),
+)
+
+
+@dataclass
+class Message:
+    path: str
+    line: int
+    kind: str
+    says: str
+    shown: list = field(default_factory=list)  # the code, and a caret
+
+    def lines(self):
+        says = plain_types(f"{self.path}:{self.line}: {self.kind}: {self.says}")
+        return [*cut(says), *(plain_types(line)[:WIDTH] for line in self.shown)]
+
+
+def plain_types(text):
+    """Without what a type is called in its library."""
+    text = re.sub(r" \{aka '[^']*'\}| \(aka '[^']*'\)", "", text)
+    text = re.sub(r"(?:glm::)?vec<(\d), float(?:, \(?(?:glm::)?\w+\)?\w*)?>", r"Vec\1", text)
+    return re.sub(r"lightwalk::(?=Vec\d|\w+::)", "", text)
+
+
+def cut(text):
+    """In at most three lines of WIDTH columns."""
+    lines = wrapped(text)
+    return lines if len(lines) <= 3 else [*lines[:2], lines[2][: WIDTH - 4] + " ..."]
+
+
+def wrapped(text):
+    rows, row = [], ""
+    for word in text.split(" "):
+        if row and len(row) + 1 + len(word) > WIDTH:
+            rows.append(row)
+            row = "    " + word
+        else:
+            row = f"{row} {word}" if row else word
+    return [*rows, row]
+
+
+def messages(said):
+    """The compiler's, in its order."""
+    found = []
+    for line in said.replace(ROOT.as_posix() + "/", "").replace(str(ROOT) + os.sep, "").splitlines():
+        match = MESSAGE.match(line)
+        if match:
+            found.append(Message(match[1], int(match[2]), match[4], match[5]))
+        elif found and not CONTEXT.match(line) and re.match(r"\s+(\d+ )?\s*\|| ", line):
+            found[-1].shown.append(line.rstrip())
+    return found
+
+
+def explanation(one):
+    return next((text for pattern, text in EXPLAINED if re.search(pattern, one.says)), "")
+
+
+def in_words(found, most=20):
+    """Errors or warnings with the notes on the student's own lines, a screenful."""
+    lines, explained = [], ""
+    for one in found:
+        # Notes on libraries, and on templates that were tried.
+        if one.kind == "note" and (not one.path.startswith("stages/") or one.says.startswith(" ")):
+            continue
+        explained = explained or explanation(one)
+        if len(lines) + len(one.lines()) > most and lines:
+            break
+        lines += one.lines()
+    return "\n".join([*lines, *(["", *explained.splitlines()] if explained else [])])
+
+
+def first_error(said):
+    """From the first error on. Never nothing."""
+    found = messages(said)
+    start = next((n for n, one in enumerate(found) if "error" in one.kind), None)
+    if start is not None:
+        return in_words([one for one in found[start:] if one.kind != "warning"])
+    lines = [line[:WIDTH] for line in said.splitlines() if line.strip()]
+    return "\n".join(lines[-12:]) or "The compiler ended without a word: `make clean` and try again."
+
+
+def warnings(said, header, exercises):
+    """Those in a stage's header, with their notes. What is not used is told of
+    exercises that are solved; the others use nothing yet."""
+    solved = [mark for mark in exercises if not mark.is_open]
+    kept, keep = [], False
+    for one in messages(said):
+        if one.kind != "note":
+            keep = one.kind == "warning" and one.path == header
+            if "-Wunused" in one.says and len(solved) < len(exercises):
+                keep = keep and any(mark.start <= one.line <= mark.end for mark in solved)
+        if keep:
+            kept.append(one)
+    return in_words(kept, 12)
+
+
+def build(*targets):
+    """What the compiler says, and whether it has made the targets."""
+    command = ["cmake", "--build", BUILD, "-j", str(os.cpu_count() or 2), "--target", *targets]
+    pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+    environment = os.environ | {"LC_ALL": "C", "COLUMNS": str(WIDTH)}
+    process = subprocess.Popen(command, **pipes, env=environment, start_new_session=os.name != "nt")
+    try:
+        said, _ = watch.communicate(process, seconds=MAX_SECONDS)
+    except watch.Endless:
+        return "error: the compiler does not come to an end", False
+    finally:
+        if os.name != "nt":
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(process.pid, signal.SIGKILL)
+    return said.decode(errors="backslashreplace"), process.returncode == 0
