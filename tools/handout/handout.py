@@ -82,15 +82,26 @@ def add_to(stage, folder):
     files = {path: data for path, data in brought.items() if not theirs.match(path)}
     states = {path: tree.state_of(path, data) for path, data in files.items()}
     in_the_way = [said for path in [*files, NOTE] if (said := tree.what_is_at(path)) not in ("", "file")]
+    in_the_way += [
+        f"{path} is there already and was not handed out: move it away"
+        for path, state in states.items()
+        if state == "changed" and path.startswith(f"stages/{stage}_") and path not in tree.sums
+    ]
     if in_the_way:
         raise Failure(f"{folder}: {in_the_way[0]}; nothing has been changed")
     written = [path for path, state in states.items() if state in ("new", "old")]
-    for path in written:
-        tree.write(path, files[path])
-    for path in tree.sums.keys() - files.keys():
-        if not path.startswith("stages/"):
+    path = NOTE
+    try:
+        for path in written:
+            states[path] = tree.state_of(path, files[path])  # the student may be saving
+            if states[path] in ("new", "old"):
+                tree.write(path, files[path])
+        for path in tree.sums.keys() - files.keys():
             tree.remove(path)
-    tree.write(NOTE, note(stage, files))
+        path = NOTE
+        tree.write(NOTE, note(stage, files))
+    except OSError as error:
+        raise Failure(f"{folder}: {path}: {error.strerror}; the same command goes on from here") from None
     print(
         f"{folder}: stage {stage} is in, {len(written)} files new or newer. "
         "`git add -A && git commit` keeps them."
@@ -122,7 +133,13 @@ def main():
 
 
 if __name__ == "__main__":
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="backslashreplace")
     try:
         sys.exit(main())
     except (Failure, OSError) as error:
         sys.exit(f"handout: {error}")
+    except MemoryError:
+        sys.exit("handout: there is not enough memory")
+    except KeyboardInterrupt:
+        sys.exit("handout: broken off; the same command goes on from here")

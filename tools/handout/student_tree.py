@@ -24,11 +24,23 @@ def note(stage, files):
     return (json.dumps({"stage": stage, "files": sums}, indent=1) + "\n").encode()
 
 
+# What handouts may take away again. A chapter is the student's from the first day.
+REMOVABLE = ("cmake", "common", "compare", "scenes", "tests", "third_party", "tools")
+
+
 def is_inside(path):
-    """Whether a name can only mean something below the folder, on every system."""
+    """Whether a name can only mean a file below the folder, on every system."""
     windows = PureWindowsPath(path)
     parts = PurePosixPath(path).parts
-    return bool(parts) and not windows.drive and not windows.root and ".." not in windows.parts
+    return (
+        bool(parts)
+        and PurePosixPath(path).as_posix() == path
+        and not windows.drive
+        and not windows.root
+        and ".." not in windows.parts
+        and "\0" not in path
+        and max(len(part.encode(errors="replace")) for part in parts) < 200
+    )
 
 
 class StudentTree:
@@ -48,13 +60,13 @@ class StudentTree:
         if self.what_is_at(NOTE) != "file":
             raise damaged
         try:
-            found = json.loads(path.read_text(encoding="utf-8"))
+            found = json.loads(path.read_text(encoding="utf-8-sig"))
             stage, sums = found["stage"], found["files"]
-        except (ValueError, KeyError, TypeError):
+        except (ValueError, KeyError, TypeError, RecursionError, MemoryError):
             raise damaged from None
-        if type(stage) is not int or type(sums) is not dict:
+        if type(stage) is not int or stage not in range(1, 10) or type(sums) is not dict:
             raise damaged
-        return stage, {path: total for path, total in sums.items() if is_inside(path)}
+        return stage, sums
 
     def what_is_at(self, path):
         """ "file", "" for nothing, or what is in the way of a file there."""
@@ -87,6 +99,9 @@ class StudentTree:
 
     def write(self, path, data):
         """The file is the old one or the new one, whole, whenever this is broken off."""
+        there = self.what_is_at(path)  # that may have changed since all were looked at
+        if there not in ("", "file"):
+            raise Failure(f"{self.folder}: {there}; the same command goes on from here")
         target = self.folder / path
         target.parent.mkdir(parents=True, exist_ok=True)
         handle, beside = tempfile.mkstemp(prefix=".handout-", dir=target.parent)
@@ -100,7 +115,9 @@ class StudentTree:
             raise
 
     def remove(self, path):
-        """If it is as it was handed out."""
+        """If it is as it was handed out, and no chapter."""
+        if not is_inside(path) or PurePosixPath(path).parts[0] not in REMOVABLE:
+            return
         if self.what_is_at(path) == "file":
             target = self.folder / path
             if sum_of(target.read_bytes()) == self.sums[path]:

@@ -213,9 +213,69 @@ class StudentTrees(unittest.TestCase):
     def test_a_damaged_note_is_one_sentence(self):
         path = self.student / NOTE
         text = path.read_text()
-        for damaged in ("", "{}", text[:4000], "<<<<<<< HEAD\n" + text, '{"stage": "1", "files": {}}'):
+        for damaged in (
+            "",
+            "{}",
+            text[:4000],
+            "<<<<<<< HEAD\n" + text,
+            '{"stage": "1", "files": {}}',
+            '{"stage": 0, "files": {}}',
+            99999 * "[",
+        ):
             path.write_text(damaged)
             self.refused("handout.json is damaged")
+
+    def test_a_name_in_the_note_is_no_way_to_the_students_work(self):
+        mine = self.student / "stages/1_diffuse/path_tracer.hpp"
+        head = self.student / ".git/HEAD"
+        names = {
+            "./stages/1_diffuse/path_tracer.hpp": mine,
+            "stages//1_diffuse/path_tracer.hpp": mine,
+            "Stages/1_diffuse/path_tracer.hpp": mine,
+            ".git/HEAD": head,
+            "./LICENSE": self.student / "LICENSE",
+            300 * "a": mine,
+        }
+        sums = {name: sum_of(path.read_bytes()) for name, path in names.items()}
+        self.edit_note(lambda found: found["files"].update(sums))
+        self.add()
+        for path in names.values():
+            self.assertTrue(path.exists(), path)
+
+    def test_what_a_student_saves_meanwhile_stays(self):
+        readme, replace = self.student / "README.md", os.replace
+
+        def save(source, target):
+            replace(source, target)
+            if Path(target).name != "README.md":
+                readme.write_text("saved meanwhile")
+
+        with mock.patch("os.replace", save):
+            self.assertIn("README.md was changed there", self.add())
+        self.assertEqual(readme.read_text(), "saved meanwhile")
+
+    @unittest.skipIf(os.name == "nt", "links need rights there")
+    def test_a_link_that_comes_meanwhile_is_not_followed(self):
+        replace, elsewhere = os.replace, self.place / "elsewhere"
+
+        def swap(source, target):
+            replace(source, target)
+            if not elsewhere.exists():
+                (self.student / "tests").rename(elsewhere)
+                (self.student / "tests").symlink_to(elsewhere)
+
+        with (
+            mock.patch("os.replace", swap),
+            self.assertRaisesRegex(Failure, "tests is a link.*goes on from here"),
+        ):
+            self.add()
+        self.assertFalse((elsewhere / "stage2").exists())
+
+    def test_an_own_chapter_of_the_next_stage_is_in_the_way(self):
+        mine = self.student / "stages/2_next_event/path_tracer.hpp"
+        mine.parent.mkdir()
+        mine.write_text("my own")
+        self.refused("is there already and was not handed out: move it away")
 
     def test_line_ends_do_not_matter(self):
         for path in self.student.rglob("*"):
@@ -248,7 +308,10 @@ class StudentTrees(unittest.TestCase):
                 raise OSError(28, "No space left on device")
             replace(source, target)
 
-        with mock.patch("os.replace", full), self.assertRaises(OSError):
+        with (
+            mock.patch("os.replace", full),
+            self.assertRaisesRegex(Failure, "No space left on device; the same command goes on"),
+        ):
             self.add()
         self.assertNotIn("was changed", self.add())
         for path, data in self.brought.items():
