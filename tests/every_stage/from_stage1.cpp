@@ -68,14 +68,6 @@ TEST_CASE("each direction has its own weight, however directions are drawn") {
   }
 }
 
-TEST_CASE("bright samples are not clamped, and dim ones not cut off") {
-  check_bright_and_dim_sky<PathTracer>();
-  if constexpr (this_stage >= 2) check_bright_and_dim_lamps<PathTracer>();
-  if constexpr (this_stage >= 3) {
-    check_bright_and_dim_in_mirrors_and_glass<PathTracer>();
-  }
-}
-
 TEST_CASE("paths that seem to be worth little are followed to their end") {
   // Roulette ends nearly all paths on so dark a floor.
   if constexpr (this_stage < 4) {
@@ -93,6 +85,14 @@ TEST_CASE("paths that seem to be worth little are followed to their end") {
 TEST_SUITE_END();
 
 TEST_SUITE_BEGIN("relations");
+
+TEST_CASE("bright samples are not clamped, and dim ones not cut off") {
+  check_bright_and_dim_sky<PathTracer>();
+  if constexpr (this_stage >= 2) check_bright_and_dim_lamps<PathTracer>();
+  if constexpr (this_stage >= 3) {
+    check_bright_and_dim_in_mirrors_and_glass<PathTracer>();
+  }
+}
 
 TEST_CASE(
     "the same bits for any number of threads, new noise for a new seed") {
