@@ -4,6 +4,7 @@ All of the tree's Python uses this. LIGHTWALK_BUILD names the build folder, if i
 is not build/.
 """
 
+import hashlib
 import json
 import os
 import re
@@ -15,6 +16,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 BUILD = Path(os.environ.get("LIGHTWALK_BUILD", ROOT / "build")).absolute()
 SCENES = ROOT / "scenes"
+# What a handout says of itself: its stage, and the sums of its files.
+HANDOUT_NOTE = "handout.json"
 
 
 class Failure(Exception):
@@ -24,6 +27,11 @@ class Failure(Exception):
 def text_of(path):
     """What people have written, in whatever encoding: only its ASCII is looked at."""
     return path.read_text(encoding="utf-8-sig", errors="replace")
+
+
+def sum_of(data):
+    """Of a file's bytes; line ends do not matter: git or an editor may change them."""
+    return hashlib.sha256(data.replace(b"\r\n", b"\n")).hexdigest()
 
 
 def stage_headers():
@@ -50,10 +58,15 @@ def listed_headers(folder):
     return listed
 
 
-def tests_filter(beginnings):
-    """The value of doctest's -tc for the tests with these beginnings: a comma would
+def exact_tests_filter(names):
+    """The value of doctest's -tc for the tests of these names: a comma would
     separate two, a quote would end the shell's word, and `?` is any letter."""
-    return ",".join(re.sub(r"[,'\"*\\]", "?", begin) + "*" for begin in beginnings)
+    return ",".join(re.sub(r"[,'\"*\\]", "?", name) for name in names)
+
+
+def tests_filter(beginnings):
+    """The same for the tests with these beginnings."""
+    return ",".join(exact_tests_filter([begin]) + "*" for begin in beginnings)
 
 
 def test_names(suite):

@@ -88,7 +88,7 @@ class Running:
         self.process.wait()
 
 
-def watch(stage, header):
+def watch(stage):
     """Until q or Ctrl-C."""
     module = ["-B", "-m", "tools.exercises.check", str(stage)]
     check, hint = [*module, "--watched"], [*module, "--hint"]

@@ -9,7 +9,6 @@ if the stage is done, 1 if not.
 
 import argparse
 import contextlib
-import hashlib
 import json
 import re
 import signal
@@ -23,10 +22,10 @@ from tools.exercises.judge import as_json, as_markdown, judge
 from tools.exercises.marks import marks
 from tools.exercises.sheet import headers_with_exercises, read_tasks, title_of
 from tools.exercises.words import plain
-from tools.tree import BUILD, ROOT, Failure, text_of
+from tools.tree import BUILD, HANDOUT_NOTE, ROOT, Failure, sum_of, text_of
 
 NOTES = BUILD / "check"
-HANDED_OUT = ROOT / "handout.json"
+HANDED_OUT = ROOT / HANDOUT_NOTE
 # What a student has no reason to change.
 GIVEN = ("common/", "compare/", "cmake/", "tests/", "tools/", "third_party/")
 
@@ -64,7 +63,7 @@ def changed_files():
         except OSError:
             yield f"{path} is missing"
             continue
-        if hashlib.sha256(data.replace(b"\r\n", b"\n")).hexdigest() != total:
+        if sum_of(data) != total:
             yield f"{path} is not as it was handed out"
 
 
@@ -87,8 +86,7 @@ def kept_warnings(stage, said, header):
         NOTES.mkdir(parents=True, exist_ok=True)
         note.write_text(compiler.warnings(said, name, marks(header)), encoding="utf-8")
     text = note.read_text(encoding="utf-8") if note.exists() else ""
-    divided = [line for line in integer_divisions(header) if line]
-    return "\n".join([*divided, *([text] if text else [])])
+    return "\n".join(filter(None, [*integer_divisions(header), text]))
 
 
 def integer_divisions(header):
@@ -132,7 +130,7 @@ def wrapped(text, indent="  "):
     """Paragraphs; a line that begins with "- " is one of its own."""
     parts = re.split(r"\n(?=\s*- )", text.strip())
     return "\n".join(
-        textwrap.fill(" ".join(part.split()), 78, initial_indent=indent, subsequent_indent=indent)
+        textwrap.fill(" ".join(part.split()), report.WIDTH, initial_indent=indent, subsequent_indent=indent)
         for part in parts
     )
 
@@ -245,7 +243,7 @@ def main():
     if isinstance(stage, str):
         stage = int(stage) if stage.isdecimal() else repr(stage)
     try:
-        header = header_of(stage)
+        header_of(stage)
     except Failure as error:
         parser.error(error)
     if options.hint:
@@ -255,7 +253,7 @@ def main():
     if options.watch:
         from tools.exercises.at_each_save import watch
 
-        return watch(stage, header)
+        return watch(stage)
     verdict = check(stage, options.watched)
     return 0 if verdict and verdict.passed else 1
 

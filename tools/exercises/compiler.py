@@ -6,12 +6,13 @@ import os
 import re
 import signal
 import subprocess
+import textwrap
 from dataclasses import dataclass, field
 
 from tests.runner import watch
+from tests.runner.report import WIDTH
 from tools.tree import BUILD, ROOT
 
-WIDTH = 78
 # Of processor time; all that is compiled takes a third of it on a slow machine.
 MAX_SECONDS = 600
 MESSAGE = re.compile(r"^((?:[A-Za-z]:)?[^:\n]+):(\d+):(?:(\d+):)? (fatal error|error|warning|note): (.*)$")
@@ -48,7 +49,16 @@ class Message:
 
     def lines(self):
         says = plain_types(f"{self.path}:{self.line}: {self.kind}: {self.says}")
-        return [*cut(says), *(plain_types(line)[:WIDTH] for line in self.shown)]
+        says = textwrap.wrap(
+            says,
+            WIDTH,
+            subsequent_indent="    ",
+            max_lines=3,
+            placeholder=" ...",
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+        return [*says, *(plain_types(line)[:WIDTH] for line in self.shown)]
 
 
 def plain_types(text):
@@ -56,23 +66,6 @@ def plain_types(text):
     text = re.sub(r" \{aka '[^']*'\}| \(aka '[^']*'\)", "", text)
     text = re.sub(r"(?:glm::)?vec<(\d), float(?:, \(?(?:glm::)?\w+\)?\w*)?>", r"Vec\1", text)
     return re.sub(r"lightwalk::(?=Vec\d|\w+::)", "", text)
-
-
-def cut(text):
-    """In at most three lines of WIDTH columns."""
-    lines = wrapped(text)
-    return lines if len(lines) <= 3 else [*lines[:2], lines[2][: WIDTH - 4] + " ..."]
-
-
-def wrapped(text):
-    rows, row = [], ""
-    for word in text.split(" "):
-        if row and len(row) + 1 + len(word) > WIDTH:
-            rows.append(row)
-            row = "    " + word
-        else:
-            row = f"{row} {word}" if row else word
-    return [*rows, row]
 
 
 def messages(said):

@@ -14,7 +14,7 @@ import time
 from tests.runner import report, suite
 from tools.exercises.marks import marks
 from tools.exercises.sheet import read_tasks
-from tools.tree import BUILD, ROOT, stage_headers, tests_filter, text_of
+from tools.tree import BUILD, ROOT, exact_tests_filter, stage_headers, tests_filter, text_of
 
 LOOP = "path loop (given)"
 
@@ -133,8 +133,7 @@ def judge(stage, header):
 
 def judge_the_rest(stage, header, verdict, ran):
     """Runs the tests that no exercise has."""
-    names = ",".join(re.sub(r"[,'\"*\\]", "?", name) for name in ran)
-    outcome = run_suite(stage, f"-tce={names}")
+    outcome = run_suite(stage, f"-tce={exact_tests_filter(ran)}")
     verdict.take_notes(outcome)
     if outcome.passed or not (outcome.tests or outcome.why):
         return

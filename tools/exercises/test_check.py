@@ -22,7 +22,13 @@ from tests.runner.doctest_report import Test
 from tests.runner.suite import Outcome
 from tools.exercises import at_each_save, check, compiler, configure, judge, picture, words
 from tools.exercises.sheet import headers_with_exercises
-from tools.tree import ROOT
+from tools.tree import ROOT, sum_of
+
+
+def make_endless(path):
+    """A program that computes for ever."""
+    path.write_text("#!/bin/sh\nwhile :; do :; done\n")
+    path.chmod(0o755)
 
 
 class Messages(unittest.TestCase):
@@ -121,9 +127,7 @@ class Compiler(unittest.TestCase):
     @unittest.skipIf(os.name == "nt", "needs a shell")
     def test_a_compiler_that_does_not_end_is_stopped(self):
         with tempfile.TemporaryDirectory() as folder:
-            endless = Path(folder) / "cmake"
-            endless.write_text("#!/bin/sh\nwhile :; do :; done\n")
-            endless.chmod(0o755)
+            make_endless(Path(folder) / "cmake")
             path = f"{folder}:{os.environ['PATH']}"
             with mock.patch.dict(os.environ, PATH=path), mock.patch.object(compiler, "MAX_SECONDS", 0.3):
                 said, made = compiler.build("stage1")
@@ -200,7 +204,7 @@ class HandedOut(unittest.TestCase):
             for name, data in texts.items():
                 (top / name).parent.mkdir(parents=True, exist_ok=True)
                 (top / name).write_bytes(data)
-            total = check.hashlib.sha256(b"a\n").hexdigest()
+            total = sum_of(b"a\n")
             sums = dict.fromkeys([*texts, "tests/gone.cpp"], total)
             (top / "handout.json").write_text(json.dumps({"stage": 1, "files": sums}))
             with mock.patch.multiple(check, ROOT=top, HANDED_OUT=top / "handout.json"):
@@ -345,9 +349,7 @@ class Pictures(unittest.TestCase):
     @unittest.skipIf(os.name == "nt", "needs a shell")
     def test_one_that_does_not_end_is_told(self):
         with tempfile.TemporaryDirectory() as folder:
-            program = Path(folder) / "stage1"
-            program.write_text("#!/bin/sh\nwhile :; do :; done\n")
-            program.chmod(0o755)
+            make_endless(Path(folder) / "stage1")
             with (
                 mock.patch.multiple(
                     picture, BUILD=Path(folder), build=lambda target: ("", True), SECONDS=0.2

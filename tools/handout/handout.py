@@ -20,9 +20,9 @@ from pathlib import Path
 
 from tools.handout.contents import contents
 from tools.handout.repository import commit_all, tracked_files
-from tools.handout.student_tree import NOTE, StudentTree, mode_of, note
+from tools.handout.student_tree import StudentTree, mode_of, note
 from tools.handout.third_party import copy_libraries
-from tools.tree import Failure
+from tools.tree import HANDOUT_NOTE, Failure
 
 
 def all_files(stage, solutions):
@@ -53,13 +53,13 @@ def make_new(stage, solutions, folder):
     folder.parent.mkdir(parents=True, exist_ok=True)
     making = Path(tempfile.mkdtemp(prefix=".handout-", dir=folder.parent))
     try:
-        for path, data in {**files, NOTE: note(stage, files)}.items():
+        for path, data in {**files, HANDOUT_NOTE: note(stage, files)}.items():
             target = making / path
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(data)
             target.chmod(mode_of(path))
         making.chmod(0o755)
-        commit_all(making, [*files, NOTE], f"Handout of stage {stage}")
+        commit_all(making, [*files, HANDOUT_NOTE], f"Handout of stage {stage}")
         if folder.exists():
             folder.rmdir()
         os.replace(making, folder)
@@ -81,7 +81,9 @@ def add_to(stage, folder):
     brought = all_files(stage, "previous")
     files = {path: data for path, data in brought.items() if not theirs.match(path)}
     states = {path: tree.state_of(path, data) for path, data in files.items()}
-    in_the_way = [said for path in [*files, NOTE] if (said := tree.what_is_at(path)) not in ("", "file")]
+    in_the_way = [
+        said for path in [*files, HANDOUT_NOTE] if (said := tree.what_is_at(path)) not in ("", "file")
+    ]
     in_the_way += [
         f"{path} is there already and was not handed out: move it away"
         for path, state in states.items()
@@ -90,7 +92,6 @@ def add_to(stage, folder):
     if in_the_way:
         raise Failure(f"{folder}: {in_the_way[0]}; nothing has been changed")
     written = [path for path, state in states.items() if state in ("new", "old")]
-    path = NOTE
     try:
         for path in written:
             states[path] = tree.state_of(path, files[path])  # the student may be saving
@@ -98,8 +99,8 @@ def add_to(stage, folder):
                 tree.write(path, files[path])
         for path in tree.sums.keys() - files.keys():
             tree.remove(path)
-        path = NOTE
-        tree.write(NOTE, note(stage, files))
+        path = HANDOUT_NOTE
+        tree.write(HANDOUT_NOTE, note(stage, files))
     except OSError as error:
         raise Failure(f"{folder}: {path}: {error.strerror}; the same command goes on from here") from None
     print(

@@ -1,20 +1,12 @@
 """A folder that a student works in. Nothing in it is believed: neither its note,
 nor that its names lead where they seem to lead."""
 
-import hashlib
 import json
 import os
 import tempfile
 from pathlib import Path, PurePosixPath, PureWindowsPath
 
-from tools.tree import Failure
-
-NOTE = "handout.json"
-
-
-def sum_of(data):
-    """Of a file's bytes; line ends do not matter: git or an editor may change them."""
-    return hashlib.sha256(data.replace(b"\r\n", b"\n")).hexdigest()
+from tools.tree import HANDOUT_NOTE, Failure, sum_of
 
 
 def note(stage, files):
@@ -50,14 +42,14 @@ class StudentTree:
 
     def read_note(self):
         """The stage, and the sums of what was brought."""
-        path = self.folder / NOTE
+        path = self.folder / HANDOUT_NOTE
         if not os.path.lexists(path):
-            raise Failure(f"{self.folder} is no handout: there is no {NOTE} in it")
+            raise Failure(f"{self.folder} is no handout: there is no {HANDOUT_NOTE} in it")
         damaged = Failure(
             f"{path} is damaged, and says what is yours and what was handed out: "
-            f"`git checkout HEAD -- {NOTE}` brings it back, or copy it from the handout"
+            f"`git checkout HEAD -- {HANDOUT_NOTE}` brings it back, or copy it from the handout"
         )
-        if self.what_is_at(NOTE) != "file":
+        if self.what_is_at(HANDOUT_NOTE) != "file":
             raise damaged
         try:
             found = json.loads(path.read_text(encoding="utf-8-sig"))

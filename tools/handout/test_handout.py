@@ -23,8 +23,8 @@ from tools.handout.handout import add_to, all_files, make_new
 from tools.handout.opened import opened
 from tools.handout.prove import leaks
 from tools.handout.repository import commit_all, git, tracked_files
-from tools.handout.student_tree import NOTE, is_inside, sum_of
-from tools.tree import ROOT, Failure
+from tools.handout.student_tree import is_inside
+from tools.tree import HANDOUT_NOTE, ROOT, Failure, sum_of
 
 
 class Opened(unittest.TestCase):
@@ -158,7 +158,7 @@ class StudentTrees(unittest.TestCase):
         return said.getvalue()
 
     def edit_note(self, change):
-        path = self.student / NOTE
+        path = self.student / HANDOUT_NOTE
         found = json.loads(path.read_text())
         change(found)
         path.write_text(json.dumps(found))
@@ -211,7 +211,7 @@ class StudentTrees(unittest.TestCase):
         self.refused("2_next_event is no folder")
 
     def test_a_damaged_note_is_one_sentence(self):
-        path = self.student / NOTE
+        path = self.student / HANDOUT_NOTE
         text = path.read_text()
         for damaged in (
             "",
