@@ -19,13 +19,18 @@ HOW_TO_GET = """\
 
 def is_ours(cache):
     """Whether the build folder is where it was made, and of this tree. A copied or
-    renamed folder's build compiles the original's code."""
+    renamed folder's build compiles the original's code. Another tree's own build
+    folder is a Failure: it is not to be thrown away."""
     text = cache.read_text(encoding="utf-8", errors="replace")
-    for name, place in (("CMAKE_HOME_DIRECTORY:INTERNAL", ROOT), ("CMAKE_CACHEFILE_DIR:INTERNAL", BUILD)):
-        found = re.search(rf"^{name}=(.*)$", text, re.MULTILINE)
-        if not found or os.path.realpath(found[1]) != os.path.realpath(place):
-            return False
-    return True
+
+    def is_at(name, place):
+        found = re.search(rf"^{name}:INTERNAL=(.*)$", text, re.MULTILINE)
+        return bool(found) and os.path.realpath(found[1]) == os.path.realpath(place)
+
+    in_place, of_this_tree = is_at("CMAKE_CACHEFILE_DIR", BUILD), is_at("CMAKE_HOME_DIRECTORY", ROOT)
+    if in_place and not of_this_tree:
+        raise Failure(f"{BUILD} is the build folder of another tree: name another one, or delete it")
+    return in_place and of_this_tree
 
 
 def throw_away():

@@ -170,6 +170,10 @@ class Configured(unittest.TestCase):
             for place, ours in ((tree, True), (copy, False)):
                 with mock.patch.multiple(configure, ROOT=place, BUILD=place / "build"):
                     self.assertEqual(configure.is_ours(place / "build/CMakeCache.txt"), ours)
+            with mock.patch.multiple(configure, ROOT=copy, BUILD=build):
+                with self.assertRaisesRegex(configure.Failure, "build folder of another tree"):
+                    configure.configure()
+            self.assertTrue((build / "CMakeFiles").exists())
             with mock.patch.multiple(configure, ROOT=copy, BUILD=copy / "build"):
                 configure.throw_away()
             self.assertEqual(sorted(path.name for path in (copy / "build").iterdir()), ["check", "pictures"])
