@@ -111,7 +111,10 @@ class Command:
     """How the build compiles one file of a target, whose name begins so."""
 
     def __init__(self, target, name):
-        commands = json.loads((BUILD / "compile_commands.json").read_text())
+        path = BUILD / "compile_commands.json"
+        if not path.is_file():
+            raise Failure(f"{path}, which says how to compile, is not there")
+        commands = json.loads(path.read_text())
         found = [
             one
             for one in commands

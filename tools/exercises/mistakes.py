@@ -16,6 +16,7 @@ import os
 import sys
 
 from tests.mistakes import mistakes as catalogue
+from tools.exercises.judge import LOOP, last_in_the_loop
 from tools.exercises.marks import exercises
 from tools.exercises.sheet import read_sheet
 from tools.tree import BUILD, Failure, tests_filter
@@ -42,7 +43,8 @@ def first_failing(mistake, suite, tasks, folder):
     try:
         asked = [(number, task.tests) for number, task in tasks.items()]
         asked += [(number, task.later) for number, task in tasks.items() if task.later]
-        asked += [(list(tasks)[-1], [""])]  # any other test is the last exercise's
+        last = last_in_the_loop(suite.header, exercises(suite.header))
+        asked += [(last.number or LOOP, [""])]  # any other test
         for number, tests in asked:
             if not catalogue.run_program(program, f"-tc={tests_filter(tests)}").passed:
                 return number

@@ -104,7 +104,8 @@ class Student:
             capture_output=True,
             text=True,
             errors="backslashreplace",
-            env=os.environ | {"LIGHTWALK_BUILD": str(self.build)},
+            env=os.environ
+            | {"LIGHTWALK_BUILD": str(self.build), "CMAKE_ARGS": "-DLIGHTWALK_WARNINGS_AS_ERRORS=ON"},
             **options,
         )
 
@@ -114,10 +115,7 @@ class Student:
             raise Failure(f"{what}:\n{(done.stdout + done.stderr)[-3000:]}")
 
     def compile(self, *targets):
-        if not (self.build / "CMakeCache.txt").exists():
-            ninja = ["-G", "Ninja"] if self.run("sh", "-c", "command -v ninja").returncode == 0 else []
-            options = ["-DCMAKE_BUILD_TYPE=Release", "-DLIGHTWALK_WARNINGS_AS_ERRORS=ON"]
-            self.made("cmake", "cmake", "-S", ".", "-B", self.build, *ninja, *options)
+        self.made("cmake", sys.executable, "-m", "tools.exercises.configure")
         jobs = str(os.cpu_count() or 2)
         self.made(
             f"build of {', '.join(targets)}", "cmake", "--build", self.build, "-j", jobs, "--target", *targets

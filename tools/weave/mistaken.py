@@ -11,17 +11,15 @@ the code that they share takes the most time, and is compiled once.
 import concurrent.futures
 import functools
 import hashlib
-import json
 import os
 import re
-import shlex
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 from types import SimpleNamespace
 
-from tests.mistakes.mistakes import CATALOGUE, changed_header, link_command, read_mistakes, run
+from tests.mistakes.mistakes import CATALOGUE, Command, changed_header, link_command, read_mistakes, run
 from tools.tree import BUILD, ROOT, Failure, stage_headers
 
 # More mistakes in one program take longer than several programs in parallel.
@@ -64,14 +62,8 @@ def link_words(stage):
 
 def compile_words(stage):
     """How the build compiles the stage's main.cpp, but faster."""
-    commands = BUILD / "compile_commands.json"
-    if not commands.is_file():
-        raise Failure(f"{commands}, which says how to compile, is not there")
-    for entry in json.loads(commands.read_text()):
-        words = shlex.split(entry["command"])
-        if f"/stage{stage}.dir/" in words[words.index("-o") + 1]:
-            return ["-O1" if w in ("-O2", "-O3") else w for w in words if not w.startswith("-W")]
-    raise Failure(f"{commands} has no stage{stage}")
+    words = Command(f"stage{stage}", "main.").words
+    return ["-O1" if w in ("-O2", "-O3") else w for w in words if not w.startswith("-W")]
 
 
 @functools.cache
