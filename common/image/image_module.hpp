@@ -88,8 +88,9 @@ inline const ImageModule* start_image_module(std::string& error) {
 }
 
 #ifdef __linux__
-/// Whether a child process survives the start of the module. It has a minute,
-/// by the clock since a process that waits for ever takes no processor time.
+/// Whether a child process survives the start of the module, which takes a
+/// third of a second. It has 20 seconds, by the clock since a process that
+/// waits for ever takes no processor time.
 inline bool image_module_starts_in_a_child() {
   const pid_t child = fork();
   if (child < 0) return false;
@@ -101,7 +102,7 @@ inline bool image_module_starts_in_a_child() {
     for (const int ending : {SIGABRT, SIGSEGV, SIGALRM}) {
       std::signal(ending, SIG_DFL);
     }
-    alarm(60);
+    alarm(20);
     try {
       std::string reason;  // the parent finds it out again
       start_image_module(reason);
