@@ -62,14 +62,16 @@ inline RenderInfo info_of(const InfoTexts& texts) {
     const auto found = texts.find(name);
     return found == texts.end() ? std::string() : found->second;
   };
-  const auto number = [&](const char* name) {
-    return std::uint64_t{std::strtoull(text(name).c_str(), nullptr, 10)};
+  const auto number = [&](const char* name,
+                          std::uint64_t most = ~std::uint64_t{0}) {
+    return std::min<std::uint64_t>(
+        std::strtoull(text(name).c_str(), nullptr, 10), most);
   };
   RenderInfo info;
-  info.samples_per_pixel = static_cast<double>(number("samples_per_pixel"));
+  info.samples_per_pixel =  // a PixelSample's are counted with 32 bits
+      static_cast<double>(number("samples_per_pixel", 0xffffffff));
   info.seed = number("seed");
-  info.max_bounces = static_cast<int>(
-      std::min(number("max_bounces"), std::uint64_t{0x7fffffff}));
+  info.max_bounces = static_cast<int>(number("max_bounces", 0x7fffffff));
   info.scene_hash = text("scene_hash");
   info.rays = number("rays");
   info.dropped = number("dropped");

@@ -43,7 +43,8 @@ def seeds(name):
         pixels = struct.pack("<12f", *range(12))
         one = b"PF\n2 2\n-1.0\n" + pixels
         two = one + one.replace(b"PF\n", b"PF\n# seed 7\n# samples_per_pixel 4\n")
-        return [one, two, b"Pf\r\n4 3\r\n1\r\n" + pixels]
+        most = two.replace(b"7", b"9" * 20).replace(b"pixel 4", b"pixel " + b"9" * 20)
+        return [one, two, most, b"Pf\r\n4 3\r\n1\r\n" + pixels]
     if name == "ppm":
         return [b"P3\n#MAX=2.5\n2 1\n255\n0 128 255\t1 2 3\n", b"P3 1 1 65535 1 2 65535 # end\n"]
     numbers = random.Random(name)
