@@ -41,8 +41,8 @@ class Outcome:
 def crash_in_words(number, printed):
     if number in (signal.SIGSEGV, signal.SIGBUS):
         return (
-            "it used invalid memory (an index out of range, a null pointer), "
-            "or its functions called each other endlessly"
+            "its functions called each other endlessly (a path without an end), "
+            "or it used invalid memory (a null pointer, an index out of range)"
         )
     if number == signal.SIGFPE:
         return "an integer was divided by zero"

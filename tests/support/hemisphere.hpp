@@ -46,11 +46,11 @@ inline void check_directions(const HemisphereSampler& sampler) {
   }
 }
 
-/// The mean cosine says most about a density, and the ring or sector that is
-/// too full says where. A right sampler fails once in a million times.
+/// The mean cosine says most about a density, and the cell that is farthest
+/// off says where. A right sampler fails once in a million times.
 struct HemisphereCounts {
   double p_value = 0, mean_cosine = 0, expected_mean_cosine = 0;
-  std::string fullest;  ///< the cell that is farthest off, in words
+  std::string farthest;  ///< the cell in words
 };
 
 /// Directions sorted into cells of equal solid angle: bins of the cosine
@@ -95,13 +95,17 @@ inline HemisphereCounts count_hemisphere(
         std::abs(observed[i] - expected[i]) / std::sqrt(expected[i]);
     if (off <= farthest) continue;
     farthest = off;
-    const double low = static_cast<double>(i / sectors) / rings;
-    result.fullest =
-        text_of(observed[i]) + " directions where " +
-        text_of(std::round(expected[i])) + " are expected: cos from " +
-        text_of(low) + " to " + text_of(low + 1.0 / rings) + ", phi from " +
-        std::to_string(360 * (i % sectors) / sectors) + " to " +
-        std::to_string(360 * (i % sectors + 1) / sectors) + " degrees";
+    // Of the cell's middle; `turn` above begins opposite to x.
+    const float cosine = (static_cast<float>(i / sectors) + 0.5f) / rings;
+    const float turn = (static_cast<float>(i % sectors) + 0.5f) / sectors;
+    const float sine = std::sqrt(1 - cosine * cosine);
+    const float angle = two_pi * (turn - 0.5f);
+    const Vec3 middle =
+        cosine * normal +
+        sine * (std::cos(angle) * x + std::sin(angle) * y);
+    result.farthest = text_of(observed[i]) + " of " + text_of(samples) +
+                      " are near " + text_of(middle) + ", expected " +
+                      text_of(std::round(expected[i]));
   }
   return result;
 }
@@ -113,11 +117,10 @@ inline void check_hemisphere(
   const HemisphereCounts counts =
       count_hemisphere(sampler, normal, cumulative);
   if (counts.p_value > significance) return;
-  FAIL_CHECK("directions do not have the density "
-             << density << ": mean cosine " << counts.mean_cosine
-             << ", expected " << counts.expected_mean_cosine << "; "
-             << counts.fullest << " (normal " << normal << ", p-value "
-             << counts.p_value << ")");
+  FAIL_CHECK("directions about the normal "
+             << normal << " do not have the density " << density
+             << ": mean cosine " << counts.mean_cosine << ", expected "
+             << counts.expected_mean_cosine << "; " << counts.farthest);
 }
 
 }  // namespace lightwalk::tests

@@ -4,6 +4,7 @@ differ: three pictures in one file.
     python3 -m tools.exercises.picture STAGE
 """
 
+import os
 import signal
 import struct
 import subprocess
@@ -75,7 +76,12 @@ def side_by_side(mine, expected):
 def main(stage):
     goldens = tomllib.loads((ROOT / "tests/golden/goldens.toml").read_text(encoding="utf-8"))["golden"]
     golden = next((one for one in goldens if one["stage"] == stage), None)
-    if not golden or not build(f"stage{stage}")[1]:
+    if not golden:
+        return
+    suffix = ".exe" if os.name == "nt" else ""
+    if not (BUILD / f"stage{stage}{suffix}").exists():
+        print("\nThe program is compiled for the first time, for your picture.", flush=True)
+    if not build(f"stage{stage}")[1]:
         return
     scene = golden["scene"]
     expected = read_pfm(ROOT / f"tests/golden/stage{stage}/{scene}.pfm")

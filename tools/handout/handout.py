@@ -20,7 +20,7 @@ from pathlib import Path
 
 from tools.handout.contents import contents
 from tools.handout.repository import commit_all, tracked_files
-from tools.handout.student_tree import StudentTree, mode_of, note
+from tools.handout.student_tree import StudentTree, mode_of, note, sums_of
 from tools.handout.third_party import copy_libraries
 from tools.tree import HANDOUT_NOTE, Failure
 
@@ -53,7 +53,7 @@ def make_new(stage, solutions, folder):
     folder.parent.mkdir(parents=True, exist_ok=True)
     making = Path(tempfile.mkdtemp(prefix=".handout-", dir=folder.parent))
     try:
-        for path, data in {**files, HANDOUT_NOTE: note(stage, files)}.items():
+        for path, data in {**files, HANDOUT_NOTE: note(stage, sums_of(files))}.items():
             target = making / path
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(data)
@@ -92,7 +92,9 @@ def add_to(stage, folder):
     if in_the_way:
         raise Failure(f"{folder}: {in_the_way[0]}; nothing has been changed")
     written = [path for path, state in states.items() if state in ("new", "old")]
+    path, sums = HANDOUT_NOTE, sums_of(files)
     try:
+        tree.write(path, note(tree.stage, tree.sums, coming=tree.broken_off | sums))
         for path in written:
             states[path] = tree.state_of(path, files[path])  # the student may be saving
             if states[path] in ("new", "old"):
@@ -100,7 +102,7 @@ def add_to(stage, folder):
         for path in tree.sums.keys() - files.keys():
             tree.remove(path)
         path = HANDOUT_NOTE
-        tree.write(HANDOUT_NOTE, note(stage, files))
+        tree.write(path, note(stage, sums))
     except OSError as error:
         raise Failure(f"{folder}: {path}: {error.strerror}; the same command goes on from here") from None
     print(

@@ -9,11 +9,15 @@ from pathlib import Path, PurePosixPath, PureWindowsPath
 from tools.tree import HANDOUT_NOTE, Failure, sum_of
 
 
-def note(stage, files):
+def sums_of(files):
+    return {path: sum_of(data) for path, data in files.items()}
+
+
+def note(stage, sums, coming=None):
     """What a handout has brought, so that the next one knows what a student has
-    changed."""
-    sums = {path: sum_of(data) for path, data in files.items()}
-    return (json.dumps({"stage": stage, "files": sums}, indent=1) + "\n").encode()
+    changed; and what is `coming`, as long as it is being written."""
+    text = {"stage": stage, "files": sums} | ({"coming": coming} if coming else {})
+    return (json.dumps(text, indent=1) + "\n").encode()
 
 
 # What handouts may take away again. A chapter is the student's from the first day.
@@ -38,10 +42,11 @@ def is_inside(path):
 class StudentTree:
     def __init__(self, folder):
         self.folder = folder
-        self.stage, self.sums = self.read_note()
+        self.stage, self.sums, self.broken_off = self.read_note()
 
     def read_note(self):
-        """The stage, and the sums of what was brought."""
+        """The stage, the sums of what was brought, and those of what was being
+        brought when it was broken off."""
         path = self.folder / HANDOUT_NOTE
         if not os.path.lexists(path):
             raise Failure(f"{self.folder} is no handout: there is no {HANDOUT_NOTE} in it")
@@ -53,12 +58,12 @@ class StudentTree:
             raise damaged
         try:
             found = json.loads(path.read_text(encoding="utf-8-sig"))
-            stage, sums = found["stage"], found["files"]
+            stage, sums, coming = found["stage"], found["files"], found.get("coming", {})
         except (ValueError, KeyError, TypeError, RecursionError, MemoryError):
             raise damaged from None
-        if type(stage) is not int or stage not in range(1, 10) or type(sums) is not dict:
+        if type(stage) is not int or stage not in range(1, 10) or {type(sums), type(coming)} != {dict}:
             raise damaged
-        return stage, sums
+        return stage, sums, coming
 
     def what_is_at(self, path):
         """ "file", "" for nothing, or what is in the way of a file there."""
@@ -87,7 +92,7 @@ class StudentTree:
         total = sum_of((self.folder / path).read_bytes())
         if total == sum_of(data):
             return "same"
-        return "old" if total == self.sums.get(path) else "changed"
+        return "old" if total in (self.sums.get(path), self.broken_off.get(path)) else "changed"
 
     def write(self, path, data):
         """The file is the old one or the new one, whole, whenever this is broken off."""

@@ -293,12 +293,23 @@ class StudentTrees(unittest.TestCase):
         self.add()
         self.assertTrue(page.exists())
 
+    def test_a_student_makes_a_single_header(self):
+        subprocess.run(
+            [sys.executable, "-m", "tools.handout.single_header"],
+            cwd=self.student,
+            env=os.environ | {"LIGHTWALK_BUILD": str(self.place / "build")},
+            stdout=subprocess.DEVNULL,
+            check=True,
+        )
+        self.assertIn("#region exercise 1.1", (self.place / "build/single/stage1.hpp").read_text())
+
     def test_a_renamed_chapter_does_not_come_again(self):
         (self.student / "stages/1_diffuse").rename(self.student / "stages/1_mine")
         self.assertIn("stages/1_diffuse/path_tracer.hpp is not there", self.add())
         self.assertFalse((self.student / "stages/1_diffuse").exists())
 
-    def test_what_is_broken_off_goes_on(self):
+    def add_to_a_full_disk(self):
+        """The disk is full in the middle."""
         replace, count = os.replace, 0
 
         def full(source, target):
@@ -313,11 +324,25 @@ class StudentTrees(unittest.TestCase):
             self.assertRaisesRegex(Failure, "No space left on device; the same command goes on"),
         ):
             self.add()
-        self.assertNotIn("was changed", self.add())
+
+    def all_is_there(self):
         for path, data in self.brought.items():
             if not path.startswith("stages/1_"):
                 self.assertEqual((self.student / path).read_bytes(), data, path)
         self.assertEqual(list(self.student.rglob(".handout-*")), [])
+
+    def test_what_is_broken_off_goes_on(self):
+        self.add_to_a_full_disk()
+        self.assertNotIn("was changed", self.add())
+        self.all_is_there()
+
+    # What the first one has written is not taken for the student's work.
+    def test_what_is_broken_off_goes_on_from_a_newer_tree(self):
+        newer = {path: data + b"\n" for path, data in self.brought.items()}
+        with mock.patch.object(handout, "all_files", lambda *_: newer):
+            self.add_to_a_full_disk()
+        self.assertNotIn("was changed", self.add())
+        self.all_is_there()
 
 
 class Repositories(unittest.TestCase):
