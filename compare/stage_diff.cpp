@@ -99,6 +99,11 @@ void borrow_variance(const std::string& path, RenderResult& poor,
                counted ? "a sample of it is" : "it is");
 }
 
+bool other_bounds(const RenderInfo& a, const RenderInfo& b) {
+  return a.max_bounces != b.max_bounces && a.max_bounces > 0 &&
+         b.max_bounces > 0;
+}
+
 void warn_of_other_settings(const RenderInfo& a, const RenderInfo& b) {
   if (a.scene_hash != b.scene_hash && !a.scene_hash.empty() &&
       !b.scene_hash.empty()) {
@@ -106,8 +111,7 @@ void warn_of_other_settings(const RenderInfo& a, const RenderInfo& b) {
                  "stage-diff: WARNING: the two were rendered from different "
                  "scene files\n");
   }
-  if (a.max_bounces != b.max_bounces && a.max_bounces > 0 &&
-      b.max_bounces > 0) {
+  if (other_bounds(a, b)) {
     std::fprintf(stderr,
                  "stage-diff: WARNING: they have different bounds, %d and %d "
                  "bounces\n",
@@ -257,7 +261,7 @@ int compare(const std::string& a_path, const std::string& b_path,
   const bool pixels_same = pixels.z <= bands.z_critical;
   const bool same = differing.empty() && pixels_same;
   const Totals totals = totals_of(a, b);
-  const std::string verdict =
+  std::string verdict =
       (same ? same_as_far_as_seen(all, bands, 8 * scale)
             : "different: A is " +
                   describe(all, differing, bands, width, height,
@@ -266,6 +270,10 @@ int compare(const std::string& a_path, const std::string& b_path,
       (same && same_bits(a, b)
            ? "; they are the same bits, is this one render twice?"
            : noise_of(a, b));
+  if (!same && other_bounds(a.info, b.info)) {
+    verdict += "; their bounds are " + std::to_string(a.info.max_bounces) +
+               " and " + std::to_string(b.info.max_bounces) + " bounces";
+  }
   const RegionDifference& worst = *worst_of(all);
   if (!picture.empty()) {
     const RenderResult panels{difference_picture(a, b), {}, {}};
@@ -295,9 +303,9 @@ int compare(const std::string& a_path, const std::string& b_path,
               std::isfinite(worst.z) ? figure("%.2f", worst.z).c_str()
                                      : "beyond measure (there is no noise)",
               all.size(), place.c_str(), bands.z_critical);
-  std::printf("squared differences of pixels %s times their noise, z %s\n",
+  std::printf("squared differences of pixels %s times their noise%s\n",
               figure("%.3g", std::max(0.0, pixels.times)).c_str(),
-              figure("%.2f", pixels.z).c_str());
+              pixels.z > 0 ? figure(", z %.2f", pixels.z).c_str() : "");
   return same ? 0 : 1;
 }
 

@@ -123,14 +123,15 @@ TEST_CASE("PFM headers may have blanks, and lines that end in CR LF") {
 }
 
 // Nothing renders so much, but a file may say so.
-TEST_CASE("settings of a PFM file that are too large for us are our largest") {
+TEST_CASE(
+    "settings of a PFM file that are too large for us are our largest") {
   RenderResult written;
   written.radiance = written.variance = Image(1, 1);
   const std::string pixels = encode_pfm(written.radiance);
   for (const char* number : {"4294967295", "99999999999999999999", "-1"}) {
     CAPTURE(number);
-    const std::string settings = std::string("# samples_per_pixel ") + number +
-                                 "\n# max_bounces " + number + "\n";
+    const std::string settings = std::string("# samples_per_pixel ") +
+                                 number + "\n# max_bounces " + number + "\n";
     const RenderInfo info =
         decode_pfm(pixels + encode_pfm(written.variance, settings)).info;
     CHECK(info.samples_per_pixel == 4294967295.0);
