@@ -53,7 +53,7 @@ TEST_CASE("at most N bounces: N terms of the light of a lamp") {
   check_bound_under_a_lamp<PathTracer>();
 }
 
-TEST_CASE("a path goes on while any channel brings light") {
+TEST_CASE("the light of many bounces in each color channel") {
   // Roulette by the mean of the channels, say, ends nearly all long paths.
   check_long_paths_of_some_channels<PathTracer>(this_stage < 4 ? 40 : 2);
 }
@@ -68,7 +68,8 @@ TEST_CASE("each direction has its own weight, however directions are drawn") {
   }
 }
 
-TEST_CASE("paths that seem to be worth little are followed to their end") {
+TEST_CASE(
+    "the light of many bounces on dark floors, in diamond, on plastic") {
   // Roulette ends nearly all paths on so dark a floor.
   if constexpr (this_stage < 4) {
     check_dark_floor_under_a_bright_sky<PathTracer>();

@@ -7,6 +7,7 @@ which it ended.
 """
 
 import dataclasses
+import itertools
 import os
 import signal
 from pathlib import Path
@@ -94,15 +95,16 @@ def run(program, *options, seconds=None, idle_seconds=watch.IDLE_SECONDS, enviro
 
 
 def run_by_kinds(program, *options, first_only=False, **others):
-    """The same, the sharpest tests first. If these do not reach their end, the
-    others are not run; with `first_only` the first check that fails ends the run."""
+    """The same, the sharpest tests first, and of each kind the stage's own before
+    those that every stage has. If these do not reach their end, the others are not
+    run; with `first_only` the first check that fails ends the run."""
     options = [*options, "--abort-after=1"] if first_only else options
     whole = Outcome(str(Path(program).absolute()))
-    for kind, name in enumerate(KINDS):
+    for (kind, name), place in itertools.product(enumerate(KINDS), ("-sfe", "-sf")):
         chosen = f"-ts={name}"
         if kind == SCENES:  # and those in no suite
             chosen = f"-tse={','.join(other for other in KINDS if other != name)}"
-        one = run(program, *options, chosen, **others)
+        one = run(program, *options, chosen, f"{place}=*/every_stage/*", **others)
         whole.tests += one.tests
         whole.notes += [note for note in one.notes if note not in whole.notes]
         whole.printed += one.printed

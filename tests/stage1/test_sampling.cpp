@@ -21,6 +21,14 @@ TEST_CASE("cosine directions are unit vectors above the surface") {
   check_directions(sample_cosine_hemisphere);
 }
 
+TEST_CASE("uniform directions go once around the normal") {
+  check_once_around(sample_uniform_hemisphere);
+}
+
+TEST_CASE("cosine directions go once around the normal") {
+  check_once_around(sample_cosine_hemisphere);
+}
+
 // Equal solid angles are equal steps of the cosine: P(cos < c) = c.
 TEST_CASE("uniform directions fill the hemisphere evenly") {
   for (const Vec3& normal : test_normals(4)) {
@@ -60,6 +68,30 @@ TEST_CASE("the BRDF is kd / pi") {
   check_color("f_r = kd/pi", brdf, material.kd * inverse_pi);
 }
 
+// surface.hit.normal is the shape's own, and may point away from wo.
+TEST_CASE("directions go to the side that wo is on") {
+  const Material material;
+  Hit hit{};
+  hit.normal = normalize(Vec3(1, 2, -3));
+  Random random(8, 0, 0);
+  for (const float side : {1.0f, -1.0f}) {
+    const Surface surface(hit, material, side * hit.normal);
+    for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
+      int behind = 0;
+      for (int i = 0; i < 1000; ++i) {
+        const Vec2 u(random.uniform_2d());
+        behind += dot(sample(surface, sampling, u).wi, surface.wo) < 0;
+      }
+      INFO(behind, " of 1000 directions by ",
+           sampling == Sampling::uniform ? "uniform" : "cosine",
+           " sampling go behind the surface, as wo sees it, expected 0; the "
+           "shape's normal points ",
+           side > 0 ? "to" : "away from", " the side of wo");
+      CHECK(behind == 0);
+    }
+  }
+}
+
 TEST_CASE("the simplified weights are f cos / p") {
   Material material;
   material.kd = {0.9f, 0.5f, 0.1f};
@@ -87,30 +119,6 @@ TEST_CASE("the simplified weights are f cos / p") {
       const Vec3 full = unsimplified_weight(material, cos_theta, pdf);
       require_value("length of wi", static_cast<double>(length(one.wi)), 1);
       require_color(formula, one.weight, full, 1e-3);
-    }
-  }
-}
-
-// surface.hit.normal is the shape's own, and may point away from wo.
-TEST_CASE("directions go to the side that wo is on") {
-  const Material material;
-  Hit hit{};
-  hit.normal = normalize(Vec3(1, 2, -3));
-  Random random(8, 0, 0);
-  for (const float side : {1.0f, -1.0f}) {
-    const Surface surface(hit, material, side * hit.normal);
-    for (const Sampling sampling : {Sampling::cosine, Sampling::uniform}) {
-      int behind = 0;
-      for (int i = 0; i < 1000; ++i) {
-        const Vec2 u(random.uniform_2d());
-        behind += dot(sample(surface, sampling, u).wi, surface.wo) < 0;
-      }
-      INFO(behind, " of 1000 directions by ",
-           sampling == Sampling::uniform ? "uniform" : "cosine",
-           " sampling go behind the surface, as wo sees it, expected 0; the "
-           "shape's normal points ",
-           side > 0 ? "to" : "away from", " the side of wo");
-      CHECK(behind == 0);
     }
   }
 }

@@ -92,7 +92,10 @@ TEST_CASE("every lobe with a coefficient has a chance") {
                      << events[i] << " lobe is " << p << " at bounce "
                      << bounce << " where the only coefficient is "
                      << coefficients[lobe] << " = " << k << ", expected "
-                     << (i == lobe ? "more than 0" : "0"));
+                     << (i == lobe
+                             ? "more than 0"
+                             : "0: what follows this lobe brings nothing, "
+                               "and the path takes its time"));
         }
       }
     }
