@@ -121,8 +121,10 @@ def built(stage, header):
 
 
 def list_of(verdict):
+    late = verdict.late.number if verdict.late else ""
     for one in verdict.exercises:
         state = f"not run: needs {one.needs}" if one.state == "waits" else one.state
+        state = "wrong in the whole stage" if one.number == late else state
         yield f"  {one.number:5}{one.title:44}{state}"
 
 
@@ -168,7 +170,8 @@ def check(stage, watched=False):
     if warnings is None:
         return None
     verdict = judge(stage, header)
-    done = sum(one.state == "done" for one in verdict.exercises)
+    late = verdict.late.number if verdict.late else ""
+    done = sum(one.state == "done" and one.number != late for one in verdict.exercises)
     points = f"{verdict.points} of {verdict.out_of} points"
     print(f"{title_of(header)}  [{done}/{len(verdict.exercises)}, {points}]\n")
     print("\n".join(list_of(verdict)) + "\n")
@@ -176,8 +179,7 @@ def check(stage, watched=False):
         print(warnings + "\n")
     remember(stage, verdict.first)
     if verdict.late:
-        what = verdict.late.number or "the path loop"
-        print(f"Each exercise passes its own tests, but in the whole stage {what} is wrong:\n")
+        print("Each exercise passes its own tests, but the whole stage does not:\n")
     if verdict.first:
         print("\n".join(explain(verdict.first, watched)))
     else:

@@ -28,13 +28,16 @@ EXPLAINED = (
         "A vector is multiplied by a float: write 2.0f * v, not 2 * v.",
     ),
     (
-        r"(class|struct) ?std::optional<.*has no member|no member named '.*' in 'std::optional",
-        "A std::optional may be empty: `if (!hit)` asks whether it is, and hit->normal\n"
-        "is the normal of what is in it; *hit is all of it.",
+        r"could not convert .*<brace-enclosed initializer list>.* to 'std::optional<|"
+        r"no viable conversion from returned value of type 'void' to .*std::optional<",
+        "What goes into a std::optional is named with its type: return Type{a, b};",
     ),
     (
-        r"could not convert .* from '.*optional<|no viable conversion from 'std::optional",
-        "A std::optional may be empty: *hit is what is in it.",
+        r"(class|struct) ?std::optional<.*has no member|no member named '.*' in 'std::optional"
+        r"|could not convert .* from '.*optional<|no (viable|known) conversion (from|for).*'(const )?std::optional"
+        r"|invalid initialization of reference of type .* from expression of type '.*std::optional<",
+        "A std::optional may be empty: `if (!x)` asks whether it is, x->part is a part of\n"
+        "what is in it, and *x all of it.",
     ),
 )
 
@@ -69,19 +72,26 @@ def plain_types(text):
 
 
 def messages(said):
-    """The compiler's, in its order."""
-    found = []
+    """The compiler's, in its order; one in a library has the student's line that led there."""
+    found, led_there = [], ""
     for line in said.replace(ROOT.as_posix() + "/", "").replace(str(ROOT) + os.sep, "").splitlines():
         match = MESSAGE.match(line)
-        if match:
-            found.append(Message(match[1], int(match[2]), match[4], match[5]))
+        if required := re.match(r"(stages/[^:]+:\d+):\d+:\s+required from", line):
+            led_there = required[1]
+        elif match:
+            says = match[5]
+            if led_there and match[4] != "note" and not match[1].startswith("stages/"):
+                says = f"{led_there} leads there: {says}"
+            found.append(Message(match[1], int(match[2]), match[4], says))
+            led_there = ""
         elif found and not CONTEXT.match(line) and re.match(r"\s+(\d+ )?\s*\|| ", line):
             found[-1].shown.append(line.rstrip())
     return found
 
 
 def explanation(one):
-    return next((text for pattern, text in EXPLAINED if re.search(pattern, one.says)), "")
+    says = plain_types(one.says)
+    return next((text for pattern, text in EXPLAINED if re.search(pattern, says)), "")
 
 
 def in_words(found, most=20):

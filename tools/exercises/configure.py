@@ -12,7 +12,7 @@ from tools.tree import BUILD, ROOT, Failure
 # What a build folder has that no compiler has made.
 KEPT = ("check", "pictures")
 HOW_TO_GET = """\
-  Debian, Ubuntu  sudo apt-get install g++ cmake ninja-build
+  Debian, Ubuntu  sudo apt-get install g++ cmake make ninja-build
   macOS           xcode-select --install, and brew install cmake ninja
   Windows         MSYS2: pacman -S mingw-w64-ucrt-x86_64-{gcc,cmake,ninja}"""
 

@@ -103,7 +103,7 @@ def main(stage):
         process.wait()
     if process.returncode == 0:
         target.write_bytes(side_by_side(read_pfm(mine), expected))
-        print(f"\nYours, expected, and their difference: {target}")
+        print(f"\n{scene}: yours, expected, and their difference:\n{target}")
 
 
 if __name__ == "__main__":

@@ -33,6 +33,7 @@ SYMBOLS = {
     r"\min": "min",
     r"\Rightarrow": "⇒",
 }
+RELATIONS = "≤≥·×∈→≈⇒"
 
 
 def formula(text):
@@ -53,7 +54,10 @@ def formula(text):
     text = re.sub(r"\\[,;!] ?|\\q?quad|\\left|\\right|~", " ", text)
     # The longest names first: \phi is not \p followed by hi.
     for name in sorted(SYMBOLS, key=len, reverse=True):
-        text = re.sub(re.escape(name) + r"(?![a-zA-Z])\s?", SYMBOLS[name], text)
+        ends = r"(?![a-zA-Z])"
+        if SYMBOLS[name] not in RELATIONS:  # \pi r is one word
+            ends += r"(?:\s(?=[\w\\(|]))?"
+        text = re.sub(re.escape(name) + ends, SYMBOLS[name], text)
     text = re.sub(r"\((\w+)\)/\((\w+)\)", r"\1/\2", text)
     text = re.sub(r"\{(\w)\}", r"\1", text)
     return re.sub(r" +", " ", text.replace("{", "(").replace("}", ")")).strip()
