@@ -19,7 +19,9 @@ from tools.slides.listing import colors, fill
 from tools.slides.plans import plans
 from tools.tree import BUILD, ROOT, Failure
 from tools.weave.figures import SLIDES, Figures, placed_names
+from tools.weave.fonts import copy_fonts, faces
 from tools.weave.formulas import check_formulas, formulas
+from tools.weave.measured import with_ratios
 from tools.weave.names import check_text
 from tools.weave.offline import check_offline
 
@@ -74,12 +76,12 @@ def panel_label(label, labels, first):
 
 
 def woven(deck, figures, course):
-    """The deck as Marp's input."""
+    """The deck, or the session, as Marp's input."""
     slides = []
     for slide in deck.slides:
         check_text(slide.shown, slide.where)
         text = fill(slide.text, slide.where, "trap" in slide.kinds)
-        text = text.replace("{course}", course)
+        text = with_ratios(text.replace("{course}", course), slide.where)
         text = OWN.sub("", text).rstrip("\n") + "\n\n" + corner(slide) + "\n"
         text = re.sub(r"^\{figure\} (.*)$",
                       lambda m: figure(m[1], figures), text, flags=re.M)
@@ -125,7 +127,9 @@ def main():
     for deck in every:
         deck.check()
         (source / f"{deck.name}.md").write_text(woven(deck, figures, course))
-    plans(every)
+    sessions = [one for _, of_plan in plans(every) for one in of_plan]
+    for one in sessions:
+        (source / f"{one.name}.md").write_text(woven(one, figures, course))
     check_formulas([formula for deck in every for slide in deck.slides
                     for formula in formulas(
                         slide.text, f"slides/{deck.path.name}", slide.line)])
@@ -133,12 +137,16 @@ def main():
         return
     shutil.rmtree(made, ignore_errors=True)
     (source / "theme.css").write_text(
-        (ROOT / "slides/theme.css").read_text() + colors())
+        (ROOT / "slides/theme.css").read_text() + colors() + faces())
     marp(source)
-    for deck in every:
+    for deck in [*every, *sessions]:
         name_formulas(made / f"{deck.name}.html", deck)
     shutil.copytree(source / "figures", made / "figures")
+    copy_fonts(source)
+    shutil.copytree(source / "fonts", made / "fonts")
     shutil.copytree(source, printed)
+    for one in sessions:
+        (printed / f"{one.name}.md").unlink()
     for path in printed.glob("*.md"):
         path.write_text(without_links(path.read_text()))
     marp(printed, "--pdf", "--allow-local-files", "--pdf-outlines",

@@ -35,9 +35,9 @@ def part_line(part):
 
 def plan_section(plan, sessions):
     rows = "\n".join(
-        f"<tr><td>{number}</td><td>{'<br>'.join(map(part_line, parts))}</td>"
-        f"<td>{sum(part.minutes for part in parts):g} min</td></tr>"
-        for number, parts in enumerate(sessions, 1)
+        f'<tr><td><a href="{one.name}.html">{escape(one.title)}</a></td>'
+        f"<td>{'<br>'.join(map(part_line, one.parts))}</td><td>{one.minutes:g} min</td></tr>"
+        for one in sessions
     )
     return (
         f"<h3>{escape(plan['name'])}</h3>\n<p>{escape(plan['says'])}</p>\n"

@@ -9,6 +9,7 @@ import math
 import re
 
 from tools.tree import Failure
+from tools.weave.fonts import SERIF
 
 INK, SOFT, PAPER = "#222", "#606060", "#fff"
 WARM, COOL, GREEN, RED, LAMP, GRAY = "#a54118", "#1f5fa8", "#2f6f2f", "#a82c2c", "#e8b400", "#444"
@@ -78,7 +79,7 @@ def svg(shapes, width, height):
     )
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" '
-        f'height="{height}" font-family="Georgia, DejaVu Serif, serif" font-size="15" fill="{INK}">'
+        f'height="{height}" font-family="{SERIF}" font-size="15" fill="{INK}">'
         f"<defs>{heads}</defs>{drawn}</svg>\n"
     )
 
