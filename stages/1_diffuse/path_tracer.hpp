@@ -130,7 +130,9 @@ namespace lightwalk::stage1 {
 // ![](no-pi)
 //
 // `evaluate` returns the BRDF. The albedo is `material.kd`, and the core has
-// the constants `pi`, `two_pi` and `inverse_pi`, which is $1/\pi$.
+// the constants `pi`, `two_pi` and `inverse_pi`, which is $1/\pi$. Below,
+// the weight of a sample is simplified until no $f_r$ is left in it. So your
+// picture will not show a mistake in `evaluate`, but the tests do.
 
 // #region evaluate
 /// The BRDF, in 1/sr, for `wo` and `wi` on the same side of the surface.

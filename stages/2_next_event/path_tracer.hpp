@@ -34,10 +34,9 @@
 // \textcolor[RGB]{194,90,34}{L_e(y, -\omega_i)} +
 // \textcolor[RGB]{58,123,200}{L_s(y, -\omega_i)}$$
 //
-// The slides give no formula for this step. Put this sum into the rendering
-// equation. An integral of a sum is a sum of integrals. So the light that $x$
-// scatters is the following. In the integrals $L_e$ and $L_s$ are those of
-// $y$, towards $x$:
+// Put this sum into the rendering equation. An integral of a sum is a sum of
+// integrals. So the light that $x$ scatters has two parts. Inside the
+// integrals, $L_e$ and $L_s$ are taken at $y$, towards $x$:
 //
 // $$L_s(x, \omega_o) =
 // \textcolor[RGB]{194,90,34}{\underbrace{\int_\Omega L_e\,f_r
@@ -87,20 +86,20 @@ using stage1::sample;
 // The shadow ray needs the distance, because what lies *behind* the light
 // casts no shadow.
 //
-// An aside about `float`. A computed distance is wrong in its last digits. So
-// for a lamp with a surface, `distance` is a little more than the distance to
-// the lamp: the factor is `1 + distance_rounding`. That is $2^{-18}$ more, 4
-// parts in a million. So the shadow ray may meet the lamp itself, and the
-// lamp does not block it.
+// An aside about `float`. A computed distance is wrong in its last digits.
+// So for a lamp with a surface, `distance` is a little more than the
+// distance to the lamp: the factor is `1 + distance_rounding`. That is
+// $2^{-18}$ more, 4 parts in a million. The shadow ray is a little too long,
+// so it does reach the lamp. `reaches`, below, ignores this hit.
 
 // #region light-sample
 struct LightSample {
   Vec3 direction;  ///< unit, from the surface to the light
   Vec3 weight;     ///< W/m^2 on a surface that faces the light
-  float distance;  ///< how far nothing but the light may be met
+  float distance;  ///< up to here only the light itself may be met
 };
 
-/// More than rounding may change a distance by.
+/// Larger than the error that rounding makes in a distance, as a share of it.
 inline constexpr float distance_rounding = 0x1p-18f;
 // #endregion light-sample
 
@@ -118,6 +117,10 @@ inline constexpr float distance_rounding = 0x1p-18f;
 // `light.intensity`, and the light is at `light.center`. The slides call $I$
 // the light's power $p$, but they use it in just this way. So nothing is
 // divided by $4\pi$.
+//
+// The core has what the code needs: `dot(a, b)`, `length(v)` and
+// `normalize(v)` for vectors, `std::sqrt`, and `cos`, `sin` and `two_pi` for
+// angles.
 //
 // ![](inverse-square)
 //
@@ -160,7 +163,7 @@ inline LightSample sample_light(const PointLight& light, const Vec3& x,
 // 1. The patch may be tilted. Let $\theta'$ be the angle between the lamp's
 //    normal $n'$ and the line back to $x$. Seen from $x$, the patch looks as
 //    large as a patch of area $\cos\theta'\,dA$ that faces $x$.
-// 2. Project it on the sphere of radius 1 around $x$. All lengths shrink by
+// 2. Project it onto the sphere of radius 1 around $x$. All lengths shrink by
 //    $d$, so the area shrinks by $d^2$. And area on this sphere *is* solid
 //    angle.
 //
@@ -168,7 +171,7 @@ inline LightSample sample_light(const PointLight& light, const Vec3& x,
 //
 // ![](area-to-angle)
 //
-// The chance to choose this patch is the same, in whatever unit it is
+// The chance of choosing this patch is the same, in whatever unit it is
 // measured. It is $p_A\,dA$, and it is $p(\omega)\,d\omega$:
 //
 // $$p(\omega)\,d\omega = p_A\,dA \quad\Rightarrow\quad p(\omega) =
@@ -189,12 +192,12 @@ inline LightSample sample_light(const PointLight& light, const Vec3& x,
 // ![](lamp-mistakes)
 //
 // What the code needs: $L_e$ is `light.radiance`. The edges are
-// `light.edge_u` and `light.edge_v`. Their product `cross(edge_u, edge_v)` is
-// perpendicular to the lamp. Its `length` is the area $A$, also for a
+// `light.edge_u` and `light.edge_v`. Their product `cross(edge_u, edge_v)`
+// is perpendicular to the lamp. Its `length` is the area $A$, also for a
 // parallelogram. Divided by its length it is $n'$. The direction $\omega$
 // leads *to* the lamp, so $\cos\theta' = -n' \cdot \omega$. Behind the lamp
-// this is negative. The back is black, so use 0 there: `std::max(0.0f, x)`.
-// As said above, `distance` is $d$ times `1 + distance_rounding`.
+// this is negative. The back is black, so use 0 there, by `std::max`. As
+// said above, `distance` is $d$ times `1 + distance_rounding`.
 
 // #region rectangle-light
 inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
@@ -239,8 +242,11 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // A uniform point on the sphere's area would be right here, too, but
 // wasteful. From $x$, at the distance $d$ from the center, only a cap of the
 // sphere is visible. Its edge is where the lines of sight touch the sphere.
-// There the radius is perpendicular to the line, so the angle $\alpha$ at the
-// center has $\cos\alpha = r/d$. A cap's share of the sphere's area is
+// There the radius is perpendicular to the line, so the angle $\alpha$ at
+// the center has $\cos\alpha = r/d$. As in stage 1, a cap fills the solid
+// angle
+// $2\pi \int_0^\alpha \sin\theta\,d\theta = 2\pi\,(1 - \cos\alpha)$ of the
+// sphere's $4\pi$. So its share of the area is
 //
 // $$\frac{1 - \cos\alpha}{2} = \frac{1}{2}\left(1 - \frac{r}{d}\right)$$
 //
@@ -267,9 +273,9 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // $$1 - \cos\theta = \xi_1\,(1 - \cos\theta_{max}) \qquad
 // \phi = 2\pi\,\xi_2$$
 //
-// With $\theta_{max} = 90$ degrees it is the rule of the hemisphere, with
-// $1 - \xi_1$ for $\xi_1$. The cone's solid angle is $\Omega_c$, the density
-// is one over it, and so
+// With $\theta_{max} = 90$ degrees this says $\cos\theta = 1 - \xi_1$. It is
+// stage 1's rule for the hemisphere: $1 - \xi_1$ is as uniform as $\xi_1$.
+// The cone's solid angle is $\Omega_c$, the density is one over it, and so
 //
 // $$\Omega_c = 2\pi\,(1 - \cos\theta_{max}) \qquad
 // \frac{L_e}{p(\omega)} = L_e\,\Omega_c$$
@@ -288,10 +294,10 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // $(\sin\theta \cos\phi, \sin\theta \sin\phi, \cos\theta)$ into a direction
 // of the scene. Here the axis leads to the center.
 //
-// Where does this direction meet the sphere? Walk along it. After
-// $d\cos\theta$ the center is nearest, and it is $d\sin\theta$ away. From
-// there back to the surface is half a *chord*, by Pythagoras. So the distance
-// to the first point on the sphere is
+// Where does this direction meet the sphere? Walk along it. After the
+// distance $d\cos\theta$ you are closest to the center, $d\sin\theta$ away.
+// From there back to the surface is half a *chord*, by Pythagoras. So the
+// distance to the first point on the sphere is
 //
 // $$d\cos\theta - \sqrt{r^2 - d^2\sin^2\theta}$$
 //
@@ -355,8 +361,9 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 //
 // - `scene.lights` is the list of lights, each a `Light`.
 // - `leave(hit, direction)` gives the point where a ray starts that leaves
-//   the surface in this direction. It is the same for all directions on one
-//   side. So look at all lights from `leave(surface.hit, surface.normal)`.
+//   the surface in this direction. This point is the same for all directions
+//   on one side. So look at all lights from `leave(surface.hit,
+//   surface.normal)`.
 // - `spawn_ray(hit, direction)` gives the ray that starts there.
 // - `scene.reaches(ray, distance, light)` is true if the ray meets nothing
 //   before `distance`, or only this light.
@@ -364,9 +371,9 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 // - `is_black(weight)` is true if all three channels are 0. Such a light
 //   needs no shadow ray, either.
 //
-// The function `sample_light` for a `Light` calls the one of the three above
-// that fits. The pictures show what is wrong without shadow rays, and without
-// the surface's cosine.
+// A `Light` is one of the three forms of light. `std::visit` calls the
+// `sample_light` above that fits the form. The pictures show what is wrong
+// without shadow rays, and without the surface's cosine.
 //
 // ![](direct-mistakes)
 
@@ -404,8 +411,8 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 //
 // The path goes on in a random direction, and it still runs into emitters.
 // Should their emission be added? A *vertex* is a point where the path meets
-// a surface. The light must be counted exactly once: either by the question
-// at the previous vertex, or by the hit. Two things decide.
+// a surface. The light must be counted exactly once: either when the
+// previous vertex asked for it, or when it is hit. Two things decide.
 //
 // *What happened at the previous vertex?* If it asked the lights, it may have
 // this light already. If the camera looks straight at the lamp, there was no
@@ -588,12 +595,12 @@ class PathTracer {
 //
 //     make diff A=stage2 B=stage1 SCENE=scenes/cornell_box_lamp_diffuse.toml
 //
-// It renders both pictures and compares their means, in the whole picture and
-// in small regions. For each it prints $z$, the difference in standard
-// deviations. A $z$ above 4.4 hardly ever comes by chance. It also prints the
-// variance of A over that of B: below 1, A has less noise. The same test
-// finds a mistake: count the lamp twice, and the room can be seen in the
-// difference.
+// It renders both pictures and compares their means, in the whole picture
+// and in small regions. For each it prints $z$, the difference in standard
+// deviations, and beside the largest $z$ the limit that chance hardly ever
+// exceeds. It also prints the variance of A over that of B: below 1, A has
+// less noise. The same test finds a mistake: count the lamp twice, and the
+// room can be seen in the difference.
 //
 // ![](stage-2-minus-1)
 //

@@ -5,6 +5,7 @@ import tomllib
 
 from tools.tree import ROOT
 from tools.weave import drawing as d
+from tools.weave import measured
 from tools.weave.renders import Render
 
 EQUAL_TIME = ROOT / "tools/bench/measured/equal_time.toml"
@@ -168,19 +169,14 @@ def equal_time():
                 str(row["bounces"]),
                 f"{row['rays3']:.0f}",
                 f"{row['rays4']:.1f}",
-                one_digit(time),
-                one_digit(noise),
-                one_digit(row["times"]),
+                measured.two_digits(time),
+                measured.two_digits(noise),
+                measured.two_digits(row["times"]),
                 f"{row['missing']:.0%}",
             )
         )
         fills.append((number, 5, d.SAND if row["times"] > 1 else d.GLASS))
     yield from d.boxes(4, 4, rows, (76, 70, 70, 70, 84, 72, 90), 39, fills)
-
-
-def one_digit(x):
-    """A measured ratio, as precise as it is."""
-    return f"{x:.1g}" if x < 10 else f"{round(x, 1 - len(str(int(x)))):.0f}"
 
 
 def bar(y, parts, end):

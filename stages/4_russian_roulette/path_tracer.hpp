@@ -38,7 +38,7 @@ using stage3::sample;
 //
 // $$p \cdot \frac{A}{p} + (1 - p) \cdot 0 = A$$
 //
-// A path that gets the 0 ends. A path that goes on counts for those that
+// A path whose answer is 0 ends. A path that goes on counts for those that
 // ended, too. In most books only this second trick is called *Russian
 // roulette* (Arvo and Kirk 1990). The slides use the name for both, since
 // one random number decides both.
@@ -46,9 +46,9 @@ using stage3::sample;
 // ![](mean-is-area)
 //
 // If you forget the division, the mean of a bounce is $p\,A$, not $A$, and
-// the picture is too dark. If you divide by the probability of another event,
-// things with several lobes have wrong colors. A wall with one lobe does not
-// show it.
+// the picture is too dark. If you divide by the probability of another
+// event, things with several lobes have wrong colors. On a wall with one
+// lobe you cannot see it.
 //
 // ![](roulette-mistakes)
 //
@@ -82,16 +82,18 @@ using stage3::sample;
 // coefficient has the probability 0. Good ones give less noise in less time.
 //
 // **The ratio.** Say that all directions bring the same light $L$. Then an
-// event answers $\frac{k}{p}\,L$. If $k/p$ is the same for all lobes, all
-// answers are equal, and the choice of the lobe adds no noise. So take $p$
-// in proportion to $k$: $p = c\,k$ with one constant $c$ for all three.
+// event answers $\frac{k}{p}\,L$. If $k/p$ is the same for all lobes, the
+// three lobes answer the same, and the choice among them adds no noise. So
+// take $p$ in proportion to $k$: $p = c\,k$ with one constant $c$ for all
+// three.
 //
-// **The constant.** The ratio leaves $c$ open. Every weight is $1/c$. With
-// the largest $c$ that fits on the bar nothing is absorbed, and the
-// throughput shrinks at each bounce. That wastes time, since a ray with the
-// throughput 0.01 costs as much as one with 1. A small $c$ makes noise: few
-// paths survive, with weights above 1. With $c = 1$ the weight is 1. A dark
-// wall ends many paths, and all that go on are worth the same.
+// **The constant.** The ratio leaves $c$ open. On a gray surface every
+// weight is $1/c$. The largest $c$ that fits on the bar fills it, and
+// nothing is absorbed. Then the throughput shrinks at each bounce, and a ray
+// with the throughput 0.01 costs as much time as one with 1. A small $c$
+// makes noise: few paths survive, with weights above 1. With $c = 1$ the
+// weight is 1. A dark wall ends many paths, and all that go on are worth the
+// same.
 //
 // ![](same-ratios)
 //
@@ -102,7 +104,7 @@ using stage3::sample;
 //
 // It is one good choice among many. Then $k_i/p_i$ is 1 in this channel and
 // at most 1 in the others. So the roulette never makes the throughput grow.
-// The next two sections have the only exceptions.
+// The only exceptions are in the next two sections, and refraction's square.
 //
 // The mean of the channels would be right, too. But a red wall with $k_d =
 // (0.8, 0.2, 0.2)$ would get $p_d = 0.4$, and the weight $0.8/0.4 = 2$ in
@@ -136,11 +138,12 @@ using stage3::sample;
 // limit one such path hangs the program.
 //
 // The cure is a limit. From bounce 16 on, the three events together get at
-// most 0.95. Then every path ends at some time. For such glass the weights
-// grow to match, $1/0.95 = 1.053$ instead of 1, so the mean stays as it is.
+// most 0.95. Then every path ends sooner or later. For such glass the
+// weights grow to match, $1/0.95 = 1.053$ instead of 1, so the mean stays as
+// it is.
 //
-// Before bounce 16 the coefficients alone decide. So mirrors and glass,
-// which lose little, get no noise from the limit in most pictures.
+// Before bounce 16 the coefficients alone decide. Mirrors and glass lose
+// little, and in most pictures the limit adds no noise to them.
 //
 // ![](trapped)
 //
@@ -204,11 +207,12 @@ inline LobeProbabilities lobe_probabilities(const Material& material,
 
 // ## One number, one event
 //
-// Now pick the event: find the piece of the bar on which `xi` lies. The order
-// is that of the figure: diffuse, specular, refraction, and the rest is
-// absorbed. The result is the lobe together with *its own* probability, the
-// length of its piece. Where the light is absorbed, the result is
-// `std::nullopt`, an empty `std::optional`.
+// Now pick the event: find the piece of the bar on which `xi` lies. The
+// order is that of the figure: diffuse, specular, refraction, and the rest
+// is absorbed. The result is the lobe together with *its own* probability,
+// the length of its piece, as in `return LobeChoice{Lobe::diffuse,
+// p.diffuse};`. Where the light is absorbed, the result is `std::nullopt`,
+// an empty `std::optional`.
 //
 // Compare `xi` with the right end of each piece, by `<` and not by `<=`. So a
 // lobe with probability 0 is never picked, not even by `xi` = 0, and nothing
@@ -258,8 +262,11 @@ inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
 // right.
 //
 // **Direct light is not divided.** The lights are asked before the event is
-// drawn, at every hit with a diffuse lobe. This happens with probability 1,
-// whichever way the path goes on. Only what goes on is divided.
+// drawn, at every hit with a diffuse lobe. This is always done, whichever
+// way the path goes on. Only what is done with a probability is divided by
+// it. (To ask only after a diffuse event would be right, too, with the
+// division by
+// $p_d$. But then some paths would not ask, for no gain.)
 //
 // **A hit in the mirror is no double count.** The BSDF of plastic is a sum of
 // two lobes, and so is the light that leaves it. The shadow ray brings the
@@ -414,11 +421,12 @@ class PathTracer {
 // With one bounce both stages are about equal. With two, stage 3 is better:
 // its tree is still small, and which lobe is followed is not left to chance.
 // With six bounces it needs 4 times as long as stage 4 for the same noise.
-// With eight it needs about 10 times as long. Each further bounce doubles the
+// With eight it needs 13 times as long. Each further bounce doubles the
 // time of a sample.
 //
-// The table's last column, the light that is cut, is no noise: more samples
-// do not help. Six bounces cut off 5 %. Without a bound stage 4 has all.
+// The table's last column, the light that is cut, is no noise but *bias*:
+// more samples do not help. Six bounces cut off 5 %. Without a bound stage 4
+// has all.
 //
 // So one sample of the tree has little noise and costs much. At equal time
 // the noise decides:

@@ -58,6 +58,35 @@ def both_branches():
     yield d.text(left + 4 * width, 240, "half of the work is thrown away")
 
 
+@d.diagram("masks", 541, 372)
+def masks():
+    """One step of eight lanes, from the top downwards: which are on."""
+    rows = (
+        ("on", "11111111", d.GLASS),
+        ("on &amp; hit.found", "11011111", d.GLASS),
+        ("on &amp; !emits", "11011011", d.GLASS),
+        ("asking", "10011010", d.GLOW),
+        ("lobe.diffuse", "10001010", d.SAND),
+        ("lobe.specular", "00000001", d.SAND),
+        ("lobe.refraction", "00010000", d.SAND),
+        ("on, returned", "10011011", d.GLASS),
+        ("on, refilled", "11111111", d.GLASS),
+    )
+    left, width, height = 190, 42, 34
+    for lane in range(8):
+        yield d.text(left + (lane + 0.5) * width, 22, str(lane + 1), d.SOFT)
+    for i, (name, bits, fill) in enumerate(rows):
+        y = 32 + 37 * i
+        yield d.text(left - 14, y + 23, name, d.INK, "end")
+        for lane, bit in enumerate(bits):
+            yield cell(left + lane * width, y, width, height, fill if bit == "1" else "none", d.SOFT)
+            lost = i in (1, 2, 7) and bit == "0" and rows[i - 1 if i < 7 else 2][1][lane] == "1"
+            if lost:
+                yield d.text(left + (lane + 0.5) * width, y + 23, "lost", d.WARM)
+            if i == 8 and rows[7][1][lane] == "0":
+                yield d.text(left + (lane + 0.5) * width, y + 23, "new", d.GREEN)
+
+
 @d.diagram("lookup", 520, 230)
 def lookup():
     """Eight lanes pick from a table that a register holds."""

@@ -3,27 +3,25 @@
 // # Stage 6: many paths at once
 //
 // A processor has registers that hold up to 16 floats side by side. One
-// instruction adds 16 floats to 16 others, in the time of one single
-// addition. Stages 1 to 5 follow one path. Only their search for the nearest
-// shape tries eight shapes at once. In the rest of a path most of the
-// register is empty.
+// instruction adds 16 floats to 16 others, in the time of one addition.
+// Stages 1 to 5 follow one path. Only their search for the nearest shape
+// tries eight shapes at once. In the rest of a path most of the register is
+// empty.
 //
 // This stage follows 16 paths together. All of them take one step, then all
 // take the next. The idea of the picture does not change. The estimator is
 // stage 5's, and so are the random numbers. Even the picture is the same, to
-// the last bit. In a scene of few shapes, stage 6 makes it four to six times
-// as fast. (Where a register holds four floats, as on ARM, a row has four
-// lanes.)
+// the last bit. In the lab's box, with its seven shapes, stage 6 makes it
+// four to six times as fast. With a thousand shapes hardly anything is
+// gained; why is said at the end. (On ARM a row has four lanes. An x86
+// processor has what rows need from AVX2 on.)
 //
 // ![](one-and-sixteen)
 //
 // The name for this is *SIMD*: single instruction, multiple data. A graphics
-// card works in the same way, with 32 numbers and thousands of registers. So
-// what you learn here helps you there, too.
-//
-// This chapter has no exercises. It is for reading, with the loop of stage 5
-// beside it.
-//
+// card works in the same way, with 32 numbers and thousands of registers.
+// This chapter has no exercises. It is for reading.
+
 #include <array>
 #include <atomic>
 #include <memory>
@@ -43,24 +41,25 @@ namespace lightwalk::stage6 {
 //
 // Where stage 5 has a number, this stage has a *row*: 16 numbers, one for
 // each path. The place of a path in the rows is its *lane*. `Floats` stands
-// for `float`, and `Vec3s` for `Vec3`: three rows, for x, y and z. The plural
-// is the rule: `Ints`, `Rays`, `Hits`, `Materials`. Each holds one thing for
-// each lane. A single number beside a row counts for all lanes.
+// for `float`, and `Vec3s` for `Vec3`: three rows, for x, y and z. The
+// plural is the rule: `Ints`, `Rays`, `Hits`, `Materials`. Each holds one
+// thing for each lane. A single number beside a row applies to all lanes.
 //
 // The operators work lane by lane. With rows, `a * b + c` is 16 products and
 // 16 sums. So a formula stays as it is. Here are three of them, from stages 1
 // and 3. The types have changed, and with them `std::sqrt` and the literals.
 // `Bases` has a basis for each lane.
 //
-// What is behind the operators? A library, Highway, knows the instructions of
-// each processor. `rows/row.hpp` gives them signs: `+`, `*`, `<`.
+// What is behind the operators? A library, Highway, knows the instructions
+// of each processor, and `rows/row.hpp` defines operators for them.
 //
 // Four words are for the compiler alone, and you may skip them. `HWY_INLINE`
 // puts a function into its caller, and `LIGHTWALK_NOINLINE` keeps it out.
-// `LIGHTWALK_FLATTEN` puts all that a function calls into it. `HWY_ATTR` says
-// for which instructions it is compiled. `LIGHTWALK_ROWS` is defined where
-// Highway is installed and the processor has the instructions that rows need.
-// Elsewhere the end of this file makes stage 6 the same as stage 5.
+// `LIGHTWALK_FLATTEN` puts all that a function calls into it. `HWY_ATTR`,
+// also before the brace of a lambda, says for which instructions it is
+// compiled. `LIGHTWALK_ROWS` is defined where Highway is installed and the
+// processor has the instructions that rows need. Elsewhere the end of this
+// file makes stage 6 the same as stage 5.
 
 // #region formulas
 HWY_INLINE Vec3s sample_uniform_hemisphere(const Vec3s& normal,
@@ -106,14 +105,16 @@ HWY_INLINE Vec3s reflect(const Vec3s& wo, const Vec3s& normal) {
 //     if (c) change(x);        if (any(c)) change(x, c);
 //     *hit.material            materials.at(line)
 //
-// Masks are joined lane by lane, by `&`, `|` and `!`. The usual `&&` will not
-// do: it looks at its left side alone before it decides, and a mask has 16
-// answers.
+// Masks are joined lane by lane, by `&`, `|` and `!`. The usual `&&` will
+// not do: it takes a `bool`, and a mask has 16. `any(mask)` is true if one
+// lane at least is set, and `count(mask)` says how many are.
 //
 // A path that would return stays in its lane, but it is no longer `on`. Its
 // `sum` is not changed any more, because each sum is selected by a mask of
 // lanes that are on. Its ray and its throughput may become nonsense, even a
-// NaN. Nothing that comes of them is used, and the next path replaces them.
+// NaN (0/0, say). Nothing that comes of them is used, and the next path
+// replaces them.
+//
 // A lane that is on may also take the root of a negative number, in the
 // branch that is not its own. There `select` leaves the NaN out.
 //
@@ -124,9 +125,8 @@ HWY_INLINE Vec3s reflect(const Vec3s& wo, const Vec3s& normal) {
 // in ten is in glass, some path of 16 is in glass 81 times out of 100.
 //
 // Refraction returned nothing where all light is reflected. A row cannot
-// return nothing. So `refract` always gives directions, and with them a mask
-// of the lanes where they mean nothing. The early return of Fresnel's
-// equations becomes a `select` at the end.
+// return nothing. So `refract` always gives directions, and a mask of the
+// lanes in which they mean nothing. Fresnel's early return is a `select`.
 
 // #region refract
 /// eta_o / eta_i for light that leaves towards `wo`.
@@ -221,7 +221,7 @@ HWY_INLINE Materials material_at(const SceneRows& rows, const Hits& hit,
   return m;
 }
 
-/// Where each path is: a Surface each.
+/// Where each path is, as stage 5's Surface. The rows are those of `step`.
 struct Surfaces {
   const Hits& hit;
   const Materials& material;  ///< with the coefficients that they have here
@@ -391,9 +391,10 @@ HWY_INLINE LightSamples sample_light(const SphereLight& light, const Vec3s& x,
 // #endregion lights
 
 // Direct light is stage 2's, with masks. A lane that faces away from the
-// light is not in `faces`. Stage 2 skips a light where `cos_theta <= 0`. A
-// NaN is not skipped by that, and `cos_theta > 0` would skip it. So the mask
-// says `!(cos_theta <= 0)`. A lane in shadow is not in `lit`.
+// light is not in `faces`. Stage 2 skips a light where `cos_theta <= 0`. The
+// mask says `!(cos_theta <= 0)`, not `cos_theta > 0`: both stages must do
+// the same even with a NaN, and every comparison with a NaN is false. A lane
+// in shadow is not in `lit`.
 //
 // `number` is the light's place in the scene's list. A shadow ray may meet
 // the shape of its own light, and nothing else before it.
@@ -431,23 +432,36 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
 // ## One step
 //
 // Everything that a path carries from one surface to the next stands in
-// `Paths`. The paths of a row are at different bounces, so `bounce` is a row,
-// too. The body of stage 5's loop becomes `step`. Lay the two side by side:
-// the comments are the same, and so is their order. `count_rays` was inside
-// the search, and what adds 1 to `bounce` was in the head of the loop.
-// `log_vertex` is missing: with `--pixel`, stage 5 follows the path and
-// prints it.
+// `Paths`. The paths of a row are at different bounces, so `bounce` is a
+// row, too. The body of stage 5's loop becomes `step`. Here they are side by
+// side: the comments are the same, and so is their order.
+//
+// ![](step-beside-loop)
+//
+// Now line by line. `count_rays` was inside the search, and what adds 1 to
+// `bounce` was in the head of the loop. `log_vertex` is missing: with
+// `--pixel`, stage 5 follows the path and prints it.
 //
 // In stage 5 a path ended in four places, by four `return`s. Here there are
 // four lines in which `on` loses lanes: those that meet nothing, meet an
 // emitter, have had all bounces, or draw no event. (In the last one, the
 // three masks have only lanes that were on.) `step` returns those that are
-// left.
+// left. The figure follows eight lanes through a step.
 //
-// Rays of all lanes meet one shape, then all meet the next, and each lane
-// keeps the nearest (`rows/shape_table.hpp`). Lanes that are off come
-// along for nothing. A lane that met nothing has the first shape's line, and
-// what it finds there is not used.
+// ![](masks)
+//
+// Rays of all lanes are tested with one shape, then with the next, and each
+// lane keeps the nearest (`rows/shape_table.hpp`). Lanes that are off come
+// along for nothing. A lane that met nothing gets the line of the first
+// shape, since any will do: its results are not used. `on` is narrowed
+// before `material_at`, so that a pattern is worked out only for lanes on a
+// shape.
+//
+// `on` is given twice. `random.uniform(on)` moves the random numbers on in
+// the lanes that are on, and `choose_lobes` sets its masks only in these. In
+// a lane that draws no event `lobe.probability` is 0, and the weight is 0/0;
+// but this lane has just lost its path. `normal_towards(hit, wo)` is the
+// normal on the side of `wo`, as before.
 
 // #region paths
 inline constexpr int paths_at_once = row_lanes;
@@ -530,10 +544,10 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 
 // ## Paths that end
 //
-// At each step about one path in five ends. Suppose that its lane stayed
-// empty until all 16 have ended. Soon most lanes would be empty, and all
-// would wait for the longest path. In the upper half of the figure nearly two
-// thirds of the lanes do nothing.
+// In the box under the point light, about one path in five ends at each
+// step. Suppose that its lane stayed empty until all 16 have ended. Soon
+// most lanes would be empty, and all would wait for the longest path. In the
+// upper half of the figure nearly two thirds of the lanes do nothing.
 //
 // ![](idle-lanes)
 //
@@ -562,12 +576,14 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 // meets it shows it: render the same with stage 5, and compare. So the tests
 // of this stage need no tolerance.
 //
-// So far the program asked a stage for one ray after the other. This stage is
-// given a *tile*, 16 by 16 pixels, and makes its rays itself. `SampleQueue`
-// has the samples of the tile, and a `Film` adds up the pixels. If the user
-// ends the program, `stop` is set, and the tile is dropped. `samples_taken`
-// only counts, for the display. `mask_of` makes a mask of bits, bit 0 for
-// lane 0, and `no_lanes` is the mask without a lane.
+// So far the program asked a stage for one ray after the other. This stage
+// is given a *tile*, 16 by 16 pixels, and makes its rays itself.
+// `for_each_lane` calls a function for each lane of a mask, one after the
+// other, and `no_slot` says that a ray leaves no shape. `SampleQueue` has
+// the samples of the tile, and a `Film` adds up the pixels. If the user ends
+// the program, `stop` is set, and the tile is dropped. `samples_taken` only
+// counts, for the display. `mask_of` makes a mask of bits, bit 0 for lane 0,
+// and `no_lanes` is the mask without a lane.
 
 // #region render-tile
 /// Makes a new path in each `fresh` lane, where SampleQueue::take has left a

@@ -39,6 +39,7 @@ class Copy(unittest.TestCase):
             # With Python's compiled files: otherwise each test would compile all tools.
             shutil.copytree(ROOT / folder, self.root / folder)
         shutil.copy(ROOT / "tests/split_header.py", self.root / "tests")
+        shutil.copy(ROOT / "WORDS.md", self.root)
         self.build = self.root / "build"
         self.build.mkdir()
         for made in (

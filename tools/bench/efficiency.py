@@ -95,7 +95,7 @@ def main():
     options = parser.parse_args()
     counts = [1 << i for i in range(2, options.max_samples.bit_length(), 2)]
     curves = []
-    print("| question | scene | estimator | variance of a sample | us per sample | efficiency |")
+    print("| question | scene | estimator | variance of a sample | µs per sample | efficiency |")
     print("|---|---|---|---|---|---|")
     for question, scene, estimators in COMPARISONS:
         first = None

@@ -7,12 +7,13 @@ names its command and date, the processors, the compiler and the commit.
 """
 
 import datetime
+import json
 import shutil
 import subprocess
 import sys
+from statistics import median
 
 from tools.bench.machine import machine
-from tools.book.measurements import benchmarks, table
 from tools.tree import BUILD, ROOT, Failure
 
 FOLDER = ROOT / "tools/bench/measured"
@@ -27,6 +28,32 @@ def commit_at(time):
         text=True,
     )
     return f"commit {asked.stdout.strip()}" if asked.returncode == 0 else "no commit"
+
+
+def table(path):
+    return [line for line in path.read_text().split("\n") if line.startswith("|")]
+
+
+def with_unit(x, unit):
+    for factor, prefix in ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ")):
+        if x >= factor:
+            return f"{x / factor:.3g} {prefix}{unit}"
+    return f"{x / 1e-9:.3g} n{unit}"
+
+
+def benchmarks(path):
+    """The medians of a Google Benchmark run, as a table."""
+    scale = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
+    runs = {}
+    for run in json.loads(path.read_text())["benchmarks"]:
+        if run["run_type"] == "iteration" and "error_occurred" not in run:
+            runs.setdefault(run["run_name"], []).append(run)
+    lines = ["| benchmark | median | in a second |", "|---|---|---|"]
+    for name, same in runs.items():
+        time = median(run["real_time"] * scale[run["time_unit"]] for run in same)
+        rate = median(run.get("items_per_second", 0) for run in same)
+        lines.append(f"| {name} | {with_unit(time, 's')} | {with_unit(rate, '/s') if rate else ''} |")
+    return lines
 
 
 def main():

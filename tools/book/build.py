@@ -15,16 +15,20 @@ from pathlib import Path
 from tools.book.catalogue import read_catalogue
 from tools.book.definitions import link_definitions
 from tools.book.figures import PlacedFigures
+from tools.book.instructors import hours
 from tools.book.keep_together import keep_together
-from tools.book.measurements import measurements_page
+from tools.book.measurements import with_tables
 from tools.book.mistakes import figure_entry, mistakes_page, read_gallery
 from tools.book.page import page_of, weave
 from tools.book.set_formulas import set_formulas
 from tools.book.symbols import symbols_page
+from tools.book.words import link_words, words_page
 from tools.exercises.sheet import read_sheet, task_file
 from tools.live.build import add_box, check_live
+from tools.slides.deck import decks
 from tools.tree import BUILD, ROOT, Failure, core_headers, listed_headers, stage_headers
 from tools.weave.figures import BOOK, placed_names
+from tools.weave.fonts import copy_fonts
 from tools.weave.formulas import check_formulas, formulas, formulas_of_header
 from tools.weave.names import check_names, check_text
 from tools.weave.offline import check_offline
@@ -32,8 +36,7 @@ from tools.weave.transcripts import check_transcripts
 
 HERE = Path(__file__).parent
 PAGES = HERE / "pages"
-STATIC = ("book.css", "keys.js", "contents.js", "scrollers.js", "viewer.js", "gallery.css", "gallery.js")
-FONTS = ("source-serif-4", "jetbrains-mono")
+STATIC = ("book.css", "keys.js", "contents.js", "reader.js", "scrollers.js", "viewer.js", "gallery.css", "gallery.js")
 SIDEBAR_FROM = 97  # em of 16 px
 
 
@@ -75,18 +78,24 @@ def write_source(source, figures, *gallery):
         write(source / f"{page_of(header)}.md", bare + weave(header, figures, sheet))
     for page in PAGES.glob("*.md"):
         if page.name != "index.md":
-            write(source / page.name, figures.filled(page).split("\n"))
-    write(source / "symbols.md", symbols_page())
-    write(source / "measurements.md", measurements_page(source))
+            write(source / page.name, bare + filled(page, figures, source).split("\n"))
+    write(source / "symbols.md", bare + symbols_page())
+    write(source / "words.md", bare + words_page())
     mistakes = mistakes_page(figures, *gallery)
     if mistakes:
         write(source / "mistakes.md", mistakes)
     write(source / "index.md", front_page(figures, bool(mistakes)))
 
 
+def filled(page, figures, source):
+    """A page with its figures and tables in their places."""
+    text = with_tables(figures.filled(page), source)
+    return text.replace("{hours}", "\n".join(hours())) if "{hours}" in text else text
+
+
 def front_page(figures, with_mistakes):
     text = figures.filled(PAGES / "index.md")
-    rest = ["symbols", "measurements", "further_reading"]
+    rest = ["instructors", "symbols", "words", "measurements", "further_reading"]
     rest += ["mistakes"] * with_mistakes
     lines = text.split("\n")
     lists = {"The stages": [page_of(header) for header in stage_headers()], "Beside them": rest}
@@ -126,17 +135,17 @@ def run_sphinx(source):
         raise Failure((lines or [text.strip()])[0].replace(f"{BUILD}/", ""))
 
 
-def copy_fonts(static):
-    """The fonts' files, and the styles that name them."""
-    for name in FONTS:
-        package = BUILD / "node/node_modules/@fontsource-variable" / name
-        target = static / "fonts" / name
-        (target / "files").mkdir(parents=True)
-        shutil.copy(package / "LICENSE", target)
-        for style in ("wght.css", "wght-italic.css"):
-            shutil.copy(package / style, target)
-            for file in re.findall(r"url\(\./files/([\w.-]+)\)", (package / style).read_text()):
-                shutil.copy(package / "files" / file, target / "files")
+def stand_in_for_slides(folder):
+    """Chapters link to their decks, which `make slides` makes: until then a page
+    there says so."""
+    folder.mkdir(exist_ok=True)
+    for deck in decks():
+        page = folder / f"{deck.name}.html"
+        if not page.exists():
+            page.write_text(
+                f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{deck.title}</title>'
+                f"<main><h1>{deck.title}</h1><p>These slides are not made yet: <code>make slides</code>.</p></main>"
+            )
 
 
 def name_levels(book):
@@ -151,6 +160,7 @@ def finish(book):
     link_definitions(book, [(header, page_of(header)) for header in woven_headers()])
     set_formulas(book)
     keep_together(book)
+    link_words(book)
     name_levels(book)
     # A narrow page has the menu instead of the sidebar: two columns must fit
     # beside the sidebar.
@@ -189,6 +199,7 @@ def main():
     os.environ["BOOK_STATIC"] = str(static)
     run_sphinx(source)
     finish(BUILD / "book")
+    stand_in_for_slides(BUILD / "slides")
     check_offline(BUILD / "book")
     print(f"The book is {BUILD}/book/index.html")
 

@@ -23,7 +23,16 @@ fonts = [
     for style in ("wght.css", "wght-italic.css")
 ]
 html_css_files = [*fonts, "formulas.css", "book.css", "gallery.css", "live.css", "lab.css"]
-html_js_files = ["keys.js", "contents.js", "scrollers.js", "live.js", "lab.js", "viewer.js", "gallery.js"]
+html_js_files = [
+    "keys.js",
+    "contents.js",
+    "reader.js",
+    "scrollers.js",
+    "live.js",
+    "lab.js",
+    "viewer.js",
+    "gallery.js",
+]
 html_sidebars = {
     "**": [
         "sidebar/brand.html",

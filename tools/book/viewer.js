@@ -33,8 +33,9 @@ document.addEventListener("DOMContentLoaded", () => {
     button.className = "compare-button";
     button.textContent = "Compare";
     button.addEventListener("click", () => {
-      const pair = comparable(all);
-      open(figure, pair, 0, pair.length - 1);
+      // The first with the last of the same scene, if there is one.
+      const pair = comparable(all), scene = pair.map((one) => one.closest(".panel").className);
+      open(figure, pair, 0, scene.lastIndexOf(scene[0]) || pair.length - 1);
     });
     figure.querySelector(".caption")?.append(button);
   }

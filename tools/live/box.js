@@ -1,6 +1,7 @@
 // The lab's box, painted by the stages themselves while the reader looks.
-const size = 160, most = 2048, unbounded = 4096;
+const most = 4096, unbounded = 4096;
 const presets = {
+  "front": { stage: 5, light: 0, bounces: 9, ks: 1, kt: 1, fresnel: true, size: 320, front: true },
   "diffuse-bounces": { stage: 1, light: 0 },
   "counted": { stage: 2, light: 1 },
   "glass-bounces": { stage: 3, light: 2, bounces: 6, exposure: 1 },
@@ -10,40 +11,56 @@ const presets = {
 const lights = ["the whole ceiling", "a small glowing ball", "a point"];
 const here = document.currentScript.src;
 
-/** The button below the still pictures. */
+/** The button below the still pictures; on the front page there is none. */
 lab.offer = (figure, preset) => {
   const stage = document.createElement("div");
   stage.className = "lab-stage";
   figure.insertBefore(stage, figure.querySelector(".caption"));
+  if (preset.front) return load(() => lab.startBox(stage, preset));
   const open = lab.html(stage, "button", { type: "button", class: "lab-open" }, "Paint this box here, and change it");
   const start = () => {
     open.remove();
     lab.startBox(stage, preset);
   };
   open.addEventListener("click", () => {
-    if (window.lightwalkBox) return start();
     open.disabled = true;
-    lab.html(document.head, "script", { src: new URL("lab-module.js", here) }).addEventListener("load", start);
+    load(start);
   });
+};
+
+const load = (start) => {
+  if (window.lightwalkBox) return start();
+  lab.html(document.head, "script", { src: new URL("lab-module.js", here) }).addEventListener("load", start);
 };
 
 lab.startBox = (stage, preset) => {
   const { wasm, worker: program, variants } = window.lightwalkBox;
-  const last = preset.stage;
+  const last = preset.stage, { size = 160, front } = preset;
   const chosen = { bounces: 8, exposure: 0, sampling: "cosine", variant: "", kd: 0, ks: 0.1, kt: 0.9, eta: 1.5, fresnel: false, ...preset };
   const task = lab.html(stage, "p", { class: "lab-task" }, "Change anything, and click a pixel to see one of its paths.");
+  task.hidden = Boolean(front);
   const layout = lab.html(stage, "div", { class: "lab-layout" });
   const picture = lab.html(layout, "div", { class: "lab-picture" });
   const canvas = lab.html(picture, "canvas", { width: size, height: size, role: "img", tabindex: 0 });
   const says = lab.html(picture, "p", { class: "lab-says" });
   const panel = lab.html(layout, "div", { class: "lab-controls" });
+  if (front) {
+    stage.classList.add("lab-front");
+    panel.hidden = true;
+    const more = lab.html(picture, "button", { type: "button" }, "Change this box");
+    more.addEventListener("click", () => {
+      more.remove();
+      panel.hidden = task.hidden = false;
+    });
+  }
   const note = lab.html(stage, "p", { class: "lab-says lab-note", role: "status" });
 
   const worker = new Worker(URL.createObjectURL(new Blob([program], { type: "text/javascript" })));
   const screen = canvas.getContext("2d");
-  let samples = 0, done = false, paused = false;
+  let samples = 0, rate = 0, done = false, paused = false;
   const report = () => {
-    const count = `${samples} ${samples === 1 ? "sample" : "samples"} per pixel`;
+    const speed = rate ? `, ${(rate / 1000).toPrecision(2)} million samples/s` : "";
+    const count = `${samples} ${samples === 1 ? "sample" : "samples"} per pixel${speed}`;
     says.textContent = done ? `${count}, done` : paused ? `${count}, paused` : count;
     pause.textContent = paused ? "Continue" : "Pause";
     pause.disabled = done;
@@ -111,7 +128,8 @@ lab.startBox = (stage, preset) => {
   worker.onmessage = ({ data }) => {
     if (data.path) return inspector.show(data);
     screen.putImageData(new ImageData(data.rgba, size, size), 0, 0);
-    ({ samples, done } = data);
+    ({ samples, rate, done } = data);
+    if (front) stage.closest(".figure").classList.add("painted"); // and the still picture goes
     report();
   };
   worker.onerror = () => (task.textContent = "This browser cannot paint the box: it lacks WebAssembly with SIMD.");
@@ -120,7 +138,7 @@ lab.startBox = (stage, preset) => {
   paint();
   // Pauses while the picture is not on the screen.
   new IntersectionObserver(([{ isIntersecting }]) => paused || order(isIntersecting ? "go" : "pause")).observe(picture);
-  canvas.focus({ preventScroll: true });
+  if (!front) canvas.focus({ preventScroll: true });
 };
 
 document.addEventListener("DOMContentLoaded", () => {

@@ -8,17 +8,30 @@ const mostRows = 12;
 lab.pathInspector = (stage, canvas, size, chosen, order) => {
   const place = lab.html(stage, "div", { class: "lab-path", hidden: "" });
   const mark = lab.html(canvas.parentElement, "span", { class: "lab-mark", hidden: "" });
+  const over = lab.add(canvas.parentElement, "svg", { viewBox: "0 0 1000 1000", class: "lab-over", "aria-hidden": "true" });
   let asked = null;
 
-  const ask = (column, row, sample = 0) => {
-    asked = { column: clamp(column, 0, size - 1), row: clamp(row, 0, size - 1), sample };
+  /** Asks for a path; with `glance` it is drawn over the picture alone. */
+  const ask = (column, row, sample = 0, glance = false) => {
+    asked = { column: clamp(column, 0, size - 1), row: clamp(row, 0, size - 1), sample, glance };
     mark.hidden = false;
     mark.style.left = `${((asked.column + 0.5) / size) * canvas.clientWidth}px`;
     mark.style.top = `${((asked.row + 0.5) / size) * canvas.clientHeight}px`;
     order("follow", asked);
   };
-  canvas.addEventListener("click", (event) =>
-    ask(Math.floor((event.offsetX / canvas.clientWidth) * size), Math.floor((event.offsetY / canvas.clientHeight) * size)));
+  const pixel = (event) => [event.offsetX / canvas.clientWidth, event.offsetY / canvas.clientHeight].map((x) => Math.floor(x * size));
+  canvas.addEventListener("click", (event) => ask(...pixel(event)));
+  canvas.addEventListener("pointermove", (event) => {
+    if (event.pointerType === "mouse" && (place.hidden || asked.glance)) ask(...pixel(event), 0, true);
+  });
+  canvas.addEventListener("pointerleave", () => {
+    if (asked?.glance) forget();
+  });
+  const forget = () => {
+    asked = null;
+    mark.hidden = true;
+    over.replaceChildren();
+  };
   const steps = { ArrowLeft: [-4, 0], ArrowRight: [4, 0], ArrowUp: [0, -4], ArrowDown: [0, 4], Enter: [0, 0] };
   canvas.addEventListener("keydown", (event) => {
     if (!(event.key in steps) || event.ctrlKey || event.altKey || event.metaKey) return;
@@ -46,9 +59,12 @@ lab.pathInspector = (stage, canvas, size, chosen, order) => {
 
   const show = ({ path, column, row, sample }) => {
     if (!asked || asked.column !== column || asked.row !== row || asked.sample !== sample) return;
+    const all = pieces(path);
+    lab.drawOver(over, all);
+    if (asked.glance) return;
     place.hidden = false;
     place.replaceChildren();
-    const all = pieces(path), vertices = all.filter((p) => p.kind === 0), radiance = [...path.slice(0, 3)];
+    const vertices = all.filter((p) => p.kind === 0), radiance = [...path.slice(0, 3)];
     lab.drawPath(place, all, chosen.light);
     const words = lab.html(place, "div");
     lab.html(words, "p", {}, `Pixel ${column},${row}, path ${sample}. It brings ${rgb(radiance)}.`);
@@ -60,7 +76,7 @@ lab.pathInspector = (stage, canvas, size, chosen, order) => {
       const after = vertices[i + 1]?.sum ?? radiance;
       const adds = after.map((x, c) => x - vertex.sum[c]);
       const line = lab.html(body, "tr");
-      const cells = [vertex.bounce, vertex.where, rgb(vertex.throughput), adds.every(isTiny) ? "" : rgb(adds)];
+      const cells = [vertex.bounce, vertex.where, rgb(vertex.throughput), adds.every(isTiny) ? "0" : rgb(adds)];
       for (const cell of cells) lab.html(line, "td", {}, `${cell}`);
     });
     if (vertices.length > mostRows) lab.html(words, "p", {}, `… and ${vertices.length - mostRows} more vertices`);
@@ -69,7 +85,25 @@ lab.pathInspector = (stage, canvas, size, chosen, order) => {
     more.addEventListener("click", () => ask(column, row, sample + 1));
     if (sample) more.focus({ preventScroll: true });
   };
-  return { show, again: () => asked && ask(asked.column, asked.row, asked.sample) };
+  return { show, again: () => asked && ask(asked.column, asked.row, asked.sample, asked.glance) };
+};
+
+const colors = ["warm", "cool", "soft", "warm"];
+
+/** The path as the camera sees it, in a square of side 1000. What is behind the camera
+ * is cut off. */
+lab.drawOver = (svg, pieces) => {
+  svg.replaceChildren();
+  const near = -3.3;
+  const seen = ([x, y, z]) => [500 + (1500 * x) / (z + 3.5), 500 - (1500 * y) / (z + 3.5)];
+  const cut = (a, b) => (a[2] >= near ? a : a.map((x, i) => x + ((near - a[2]) / (b[2] - a[2])) * (b[i] - x)));
+  for (const { kind, bounce, from, to } of pieces) {
+    if ((kind === 0 && bounce === 0) || Math.max(from[2], to[2]) < near) continue; // the camera's ray is a point
+    lab.line(svg, seen(cut(from, to)), seen(cut(to, from)), colors[kind], kind ? 4 : 7, kind ? "12 10" : "none");
+  }
+  for (const { kind, to } of pieces) {
+    if (!kind && to[2] > near) lab.dot(svg, seen(to), "warm", 9);
+  }
 };
 
 /** The room with the path, in parallel projection from the upper left. Its walls
@@ -92,7 +126,6 @@ lab.drawPath = (parent, pieces, light) => {
     const [cx, cy] = at(center);
     if (r) lab.add(svg, "circle", { cx, cy, r: scale * r, class: "line-soft", "stroke-width": 1 });
   }
-  const colors = ["warm", "cool", "soft", "warm"];
   for (const { kind, from, to } of pieces) {
     lab.line(svg, at(from), at(to), colors[kind], kind ? 1.2 : 1.8, kind ? "4 3" : "none");
   }

@@ -1,7 +1,7 @@
 // Renders the lab's box in a worker, one sample of each pixel at a time. Receives
 // the module once, then orders; sends pictures, and the requested paths.
 "use strict";
-let box, job, samples, running, queued, shownAt;
+let box, job, samples, spent, running, queued, shownAt;
 const turn = new MessageChannel(); // faster than setTimeout, and messages still arrive
 const next = () => {
   if (!queued) turn.port2.postMessage(0);
@@ -11,7 +11,8 @@ const next = () => {
 const show = () => {
   const at = box.show(job.exposure);
   const rgba = new Uint8ClampedArray(box.memory.buffer, at, 4 * job.size * job.size).slice();
-  postMessage({ rgba, samples, done: samples >= job.most }, [rgba.buffer]);
+  const rate = (samples * job.size * job.size) / Math.max(spent, 1); // per millisecond
+  postMessage({ rgba, samples, rate, done: samples >= job.most }, [rgba.buffer]);
   shownAt = performance.now();
 };
 
@@ -19,13 +20,15 @@ const begin = () => {
   const { kd, ks, kt, eta, fresnel } = job.ball;
   box.set_ball(kd, ks, kt, eta, fresnel);
   box.begin(job.size, job.light, job.diffuse, job.bounces, job.uniform, job.seed);
-  samples = 0;
+  samples = spent = 0;
 };
 
 const work = () => {
   queued = false;
   if (!running || samples >= job.most) return;
+  const before = performance.now();
   samples = box.add_pass(job.variant);
+  spent += performance.now() - before;
   if (samples < 4 || samples >= job.most || performance.now() - shownAt > 80) show();
   next();
 };

@@ -6,6 +6,7 @@ import tomllib
 
 from tools.tree import ROOT
 from tools.weave import drawing as d
+from tools.weave import measured
 
 BOX = "scenes/cornell_box_point.toml"
 OPENING = -1  # the box is open towards -z; it is drawn up to here
@@ -214,3 +215,69 @@ def box_with_camera():
     x, y = 54, 84
     for name, dx, dy in (("z", 46, 0), ("y", 0, -46), ("x", 26, -20)):
         yield from d.arrow(x, y, x + dx, y + dy, name, d.INK, 1.8)
+
+
+def bars(groups, most, unit, left=200, top=14):
+    """Horizontal bars: groups are (name, [(label, value, color)])."""
+    y, scale = top, (520 - left - 70) / most
+    for name, rows in groups:
+        yield d.text(8, y + 15, name, d.INK, "start")
+        y += 24
+        for label, value, color in rows:
+            yield d.text(left - 12, y + 17, label, d.INK, "end")
+            yield f'<rect x="{left}" y="{y}" width="{scale * value:.1f}" height="24" fill="{color}"/>'
+            yield d.text(left + scale * value + 8, y + 17, measured.two_digits(value) + unit, d.INK, "start")
+            y += 30
+        y += 12
+
+
+@d.diagram("efficiency-bars", 541, 322)
+def efficiency_bars():
+    """The efficiency of the second estimator of each pair, by that of the first."""
+    names = {"stage 1": "find the lamp", "stage 2": "ask it", "stage 3": "follow all", "stage 4": "draw one"}
+    groups = []
+    for question, pair in measured.pairs().items():
+        rows = [
+            (names.get(row["estimator"], row["estimator"]), float(row["efficiency"]), color)
+            for row, color in zip(pair, (d.FAINT, d.GLOW))
+        ]
+        groups.append((question, rows))
+    most = max(value for _, rows in groups for _, value, _ in rows)
+    yield from bars(groups, most, "")
+
+
+@d.diagram("peers-bars", 541, 504)
+def peers_bars():
+    """How many times as long Mitsuba takes, by box and program."""
+    boxes = {
+        "cornell_box_point_diffuse": "point light, diffuse",
+        "cornell_box_ceiling_diffuse": "shining ceiling, diffuse",
+        "cornell_box_point": "point light, all materials",
+        "cornell_box_ceiling": "shining ceiling, all materials",
+    }
+    programs = {
+        "stage5, avx2": ("stage 5", d.FAINT),
+        "stage6, avx2": ("stage 6, AVX2", d.GLOW),
+        "stage6, avx512": ("stage 6, AVX-512", d.GLASS),
+    }
+    groups = {name: [] for name in boxes.values()}
+    for row in measured.rows("peers.md"):
+        if row["program"] in programs:
+            label, color = programs[row["program"]]
+            times = float(row["Mitsuba takes"].split()[0])
+            groups[boxes[row["box"]]].append((label, times, color))
+    most = max(value for rows in groups.values() for _, value, _ in rows)
+    yield from bars(groups.items(), most, " times")
+
+
+@d.diagram("shapes-bars", 541, 236)
+def shapes_bars():
+    """Samples in a second by stage 5, by the number of spheres."""
+    rows = []
+    for row in measured.rows("benchmarks.md"):
+        if row["benchmark"].startswith("cost_of_shapes/spheres/"):
+            number, prefix = row["in a second"].split(" ")
+            thousands = float(number) * {"k/s": 1, "M/s": 1000}[prefix]
+            count = int(row["benchmark"].rpartition("/")[2])
+            rows.append((f"{count:,} spheres", thousands, d.GLOW))
+    yield from bars([("thousand samples in a second", rows)], rows[0][1], "")

@@ -11,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 
 from tools.tree import ROOT, Failure
 from tools.weave.drawing import draw
+from tools.weave.fonts import with_letters
 from tools.weave.mistaken import build_programs
 from tools.weave.png import strip_curve
 from tools.weave.renders import Render, spent
@@ -142,10 +143,12 @@ class Figures:
 
     def draw_or_render(self, name):
         entry = self.entry(name)
+        if "beside" in entry:  # listings
+            return []
         if "panels" not in entry:
             light, dark = draw(name)
-            (self.folder / f"{name}.svg").write_text(light)
-            (self.folder / f"{name}-dark.svg").write_text(dark)
+            (self.folder / f"{name}.svg").write_text(with_letters(light))
+            (self.folder / f"{name}-dark.svg").write_text(with_letters(dark))
             return [f"{name}.svg"]
         made = []
         for number, render in enumerate(self.renders(entry), 1):
