@@ -89,7 +89,7 @@ def lamp_cone():
     yield d.circle(x, y, 4.5)
     yield d.symbol(x - 20, y + 6, "x")
     yield d.circle(cx, y, 3.5)
-    yield d.text(260, 272, "sin t_m = r/d", d.SOFT)
+    yield d.text(260, 266, "sin t_m = r/d", d.SOFT)
 
 
 @d.diagram("who-counts", 540, 150)

@@ -69,7 +69,7 @@ def same_ratios():
             376, y + 16, f"p = {factor:.3g} k" if factor != 1 else "p = k", anchor="start", style="italic"
         )
         yield d.text(376, y + 36, f"weights of {weight}", anchor="start")
-    yield d.text(16, 242, "k_d = 0.5 and k_s = 0.25", d.SOFT, "start")
+    yield d.text(16, 237, "k_d = 0.5 and k_s = 0.25", d.SOFT, "start")
 
 
 @d.diagram("overfull", 520, 260)

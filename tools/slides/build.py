@@ -11,12 +11,12 @@ import subprocess
 import sys
 
 from tools.slides.course import course_table, unfilled
-from tools.slides.deck import decks
+from tools.slides.deck import decks, for_students
 from tools.slides.formulas import name_formulas
 from tools.slides.index import index_page
 from tools.slides.links import OWN, corner, without_links
 from tools.slides.listing import colors, fill
-from tools.slides.plans import plans
+from tools.slides.plans import Session, plans
 from tools.tree import BUILD, ROOT, Failure
 from tools.weave.figures import SLIDES, Figures, placed_names
 from tools.weave.fonts import copy_fonts, faces
@@ -147,9 +147,13 @@ def main():
     shutil.copytree(source, printed)
     for one in sessions:
         (printed / f"{one.name}.md").unlink()
+    for deck in every:
+        slides = [for_students(slide) for slide in deck.slides]
+        questions = Session(f"{deck.name}_questions", deck.title, slides, [])
+        (printed / f"{questions.name}.md").write_text(woven(questions, figures, course))
     for path in printed.glob("*.md"):
         path.write_text(without_links(path.read_text()))
-    marp(printed, "--pdf", "--allow-local-files", "--pdf-outlines",
+    marp(printed, "--pdf", "--pdf-notes", "--allow-local-files", "--pdf-outlines",
          "--pdf-outlines.pages=false")
     (made / "index.html").write_text(index_page(every))
     check_offline(made)

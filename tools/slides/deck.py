@@ -1,7 +1,7 @@
 """Reads a deck: its title, and its slides with their text and notes."""
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from tools.tree import ROOT, Failure
 
@@ -43,6 +43,15 @@ class Slide:
     def shown(self):
         """The text without its comments."""
         return COMMENT.sub("", self.text)
+
+
+def for_students(slide):
+    """The slide without its notes, and a question for the class without its answer."""
+    text = COMMENT.sub(lambda found: found[0] if found[1].startswith("_") else "", slide.text)
+    if "trap" in slide.kinds:
+        question = re.search(r"^## .*\n", text, re.M)
+        text = text[: question.end()] if question else text
+    return replace(slide, text=text)
 
 
 class Deck:

@@ -9,7 +9,8 @@ from tools.slides.plans import plans
 def deck_row(deck):
     return (
         f'<tr><td><a href="{deck.name}.html">{escape(deck.title)}</a></td>'
-        f'<td><a href="{deck.name}.pdf">PDF</a></td>'
+        f'<td><a href="{deck.name}.pdf">PDF with notes</a>, '
+        f'<a href="{deck.name}_questions.pdf">without answers</a></td>'
         f"<td>{len(deck.slides)}</td><td>{deck.minutes:.0f} min</td></tr>"
     )
 
