@@ -60,7 +60,7 @@ To teach
   make handouts      test all handouts, from open to solved
   make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml
                      render and compare two stages, images or programs
-  make book          weave the book: $(BUILD)/book/index.html
+  make book          weave the book: $(BUILD)/book/index.html; make book-pdf prints it
   make slides        set the slides: $(BUILD)/slides/index.html
 
 To work on it

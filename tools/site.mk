@@ -2,7 +2,7 @@
 # versions of the lock files that tools/setup/lock.sh writes.
 site_python := $(BUILD)/site-venv/bin/python
 
-.PHONY: site-programs book slides test-site
+.PHONY: site-programs book book-pdf slides test-site
 
 $(BUILD)/node/made: tools/package.json tools/package-lock.json | setup-site
 	@mkdir -p $(BUILD)/node && cp $^ $(BUILD)/node/
@@ -15,6 +15,10 @@ site-programs: setup-site build
 
 book: site-programs $(BUILD)/site-venv/made $(BUILD)/node/made
 	@$(site_python) -m tools.book.build
+
+# The whole book for paper: build/book/lightwalk.pdf.
+book-pdf: book setup-slides
+	@$(site_python) -m tools.book.pdf
 
 slides: site-programs setup-slides $(BUILD)/site-venv/made $(BUILD)/node/made
 	@$(site_python) -m tools.slides.build

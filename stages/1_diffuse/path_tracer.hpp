@@ -31,8 +31,8 @@
 // The amount of light along a ray is its *radiance* $L$: power per solid
 // angle, and per area that is held perpendicular to the ray, in W/(m² sr). A
 // *solid angle* measures a set of directions. It is the area that they cover
-// on a sphere of radius 1, in *steradians* (sr). All of the hemisphere above
-// a surface has $2\pi$.
+// on a sphere of radius 1, in *steradians* (sr). The whole hemisphere above
+// a surface has the solid angle $2\pi$.
 //
 // The *rendering equation* says which radiance leaves $x$ towards $\omega_o$
 // (slide "Which color do we fill each pixel with?"):
@@ -105,8 +105,8 @@ namespace lightwalk::stage1 {
 //
 // Suppose the same radiance $L_i = 1$ arrives from every direction. The
 // surface gives back the fraction $k_d$ of the power. The light leaves
-// equally in all directions, just as it has arrived. So the radiances have
-// the same ratio as the powers, and the surface sends out the radiance $k_d$.
+// equally in all directions, just as it has arrived. So power is the same
+// multiple of radiance both times. The surface sends out the radiance $k_d$.
 // Put this into the equation. The constant comes out of the integral:
 //
 // $$k_d = \int_\Omega 1 \cdot f_r \cos\theta\,d\omega
@@ -132,7 +132,8 @@ namespace lightwalk::stage1 {
 // `evaluate` returns the BRDF. The albedo is `material.kd`, and the core has
 // the constants `pi`, `two_pi` and `inverse_pi`, which is $1/\pi$. Below,
 // the weight of a sample is simplified until no $f_r$ is left in it. So your
-// picture will not show a mistake in `evaluate`, but the tests do.
+// own picture will not show a mistake in `evaluate`, but the tests will find
+// it. (For the figure above, the weight was wrong, too.)
 
 // #region evaluate
 /// The BRDF, in 1/sr, for `wo` and `wi` on the same side of the surface.
@@ -194,8 +195,8 @@ inline Vec3 evaluate(const Material& material) {
 //
 // Now draw $x$ with the density $p(x) = 2x$, as in the right half of the
 // figure with the four numbers. Then $f/p$ is 1 for every sample. One sample
-// is exact, and the variance is 0. A density that is like $f$ needs fewer
-// samples. This is *importance sampling*.
+// is exact, and the variance is 0. If $p$ has the same shape as $f$, fewer
+// samples are needed. This is *importance sampling*.
 //
 // Over directions it is the same estimator:
 //
@@ -244,8 +245,10 @@ inline Vec3 evaluate(const Material& material) {
 //
 // The hemisphere has $2\pi$ steradians. If all directions are equally likely,
 // $p(\omega) = \frac{1}{2\pi}$. For the angles this is $\frac{1}{2\pi}
-// \sin\theta$. It is the product of the slide's $p(\theta) = \sin\theta$ and
-// $p(\phi) = \frac{1}{2\pi}$. Integrate the first and invert it:
+// \sin\theta$. It is the product of the slide's $p(\theta) =
+// \sin\theta$ and $p(\phi) = \frac{1}{2\pi}$. So the two angles are
+// independent, and each is drawn on its own. Integrate the first and invert
+// it:
 //
 // $$P(\theta) = \int_0^\theta \sin t\,dt = 1 - \cos\theta = \xi
 // \quad\Rightarrow\quad \cos\theta = 1 - \xi$$
@@ -343,7 +346,9 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 // Put the BRDF and a random direction into the equation, with $N = 1$. The
 // light $L_i$ is then multiplied by one factor, the *weight* of the bounce.
 // The slide writes the whole term in angles, for uniform and for cosine
-// sampling, and says "Remember to simplify":
+// sampling. There $d\omega = \sin\theta\,d\theta\,d\phi$ brings a sine,
+// below stands $p(\theta)$, and the $2\pi$ is $1/p(\phi)$. It says "Remember
+// to simplify":
 //
 // $$\frac{2\pi L_i f_r \cos\theta_i \sin\theta_i}{\sin\theta_i}
 // \qquad
@@ -374,8 +379,8 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 // left picture. The weight also shows why it was wrong to draw a uniform
 // $\theta$. The mean of $\cos\theta$ should be 1/2, but over a uniform
 // $\theta$ it is $2/\pi = 0.64$. The mean weight is then not $k_d$ but
-// $4 k_d/\pi = 1.27\,k_d$, at each bounce anew. More samples do not help,
-// because this is no noise.
+// $4 k_d/\pi = 1.27\,k_d$, at every bounce. More samples do not help,
+// because this error is not noise.
 //
 // ![](theta-uniform)
 //
@@ -425,8 +430,8 @@ inline BsdfSample sample(const Surface& surface, Sampling sampling,
 // radiance in all directions. There is no cosine here.
 //
 // A shape has one normal, `surface.hit.normal`, which may point to either
-// side. `surface.normal` is the same one or its opposite, whichever is on the
-// side of `wo`. So only the first of them tells front from back.
+// side. `surface.normal` is turned, if needed, to the side of `wo`. So only
+// `surface.hit.normal` tells front from back.
 //
 // ![](lamp-front)
 
@@ -448,8 +453,8 @@ inline Vec3 emitted(const Surface& surface) {
 //
 // The path begins as the camera's ray. At each surface it takes one random
 // direction and goes on; `throughput` is the product of the weights so far.
-// It starts as 1. Light that is found here is multiplied by it on its way to
-// the camera.
+// It starts as 1. If the path finds light, that light times the throughput
+// is what reaches the camera.
 //
 // The path ends
 //
@@ -523,10 +528,11 @@ inline Vec3 emitted(const Surface& surface) {
 //
 // ### Leaving a surface
 //
-// The next ray starts where the path is, and must not hit the same surface at
-// once. But the computed position is rounded, so it may lie a little *below*
-// the surface. Then a wall is in its own shadow, in dark spots all over. This
-// is *shadow acne*.
+// The next ray starts where the path is, and must not hit the same surface
+// at once. But the computed position is rounded, so it may lie a little
+// *below* the surface. Then the next ray hits the wall that it has just
+// left: a false bounce, and the wall has dark spots all over. This is
+// *shadow acne*.
 //
 // `spawn_ray(hit, direction)` prevents it. It makes the ray that leaves the
 // surface at `hit` in the unit vector `direction`. The ray starts a little
@@ -610,9 +616,10 @@ class PathTracer {
 //
 // What remains? A path finds a lamp only by chance. The ceiling is large, so
 // it is found soon. A small lamp is found by few paths, and each of these
-// brings much: the picture is full of bright dots. Its mean is right, but
-// most of it is dark, since a dot cannot be shown brighter than white. Try
-// `scenes/cornell_box_sphere_lamp_diffuse.toml`. Stage 2 fixes it.
+// brings much: the picture is full of bright dots. Its mean radiance is
+// right. But the screen cannot show a dot brighter than white, so the
+// picture looks too dark. Try `scenes/cornell_box_sphere_lamp_diffuse.toml`.
+// Stage 2 fixes it.
 //
 // ![](small-lamp)
 //

@@ -89,8 +89,9 @@ using stage1::sample;
 // An aside about `float`. A computed distance is wrong in its last digits.
 // So for a lamp with a surface, `distance` is a little more than the
 // distance to the lamp: the factor is `1 + distance_rounding`. That is
-// $2^{-18}$ more, 4 parts in a million. The shadow ray is a little too long,
-// so it does reach the lamp. `reaches`, below, ignores this hit.
+// $2^{-18}$ more, 4 parts in a million. The shadow ray may pass the lamp a
+// little. That is harmless, since `reaches`, below, ignores a hit of the
+// lamp itself.
 
 // #region light-sample
 struct LightSample {
@@ -99,7 +100,7 @@ struct LightSample {
   float distance;  ///< up to here only the light itself may be met
 };
 
-/// Larger than the error that rounding makes in a distance, as a share of it.
+/// A bound on the relative rounding error of a distance.
 inline constexpr float distance_rounding = 0x1p-18f;
 // #endregion light-sample
 
@@ -113,10 +114,10 @@ inline constexpr float distance_rounding = 0x1p-18f;
 //
 // $$\text{weight} = \frac{I}{d^2}$$
 //
-// There is one direction only, so nothing is random. In the code $I$ is
-// `light.intensity`, and the light is at `light.center`. The slides call $I$
-// the light's power $p$, but they use it in just this way. So nothing is
-// divided by $4\pi$.
+// There is one direction only, so nothing is random. (It is $L_e/p(\omega)$
+// in a limit, which comes below.) In the code $I$ is `light.intensity`, and
+// the light is at `light.center`. The lab calls $I$ the light's power, but
+// uses it in just this way. So nothing is divided by $4\pi$.
 //
 // The core has what the code needs: `dot(a, b)`, `length(v)` and
 // `normalize(v)` for vectors, `std::sqrt`, and `cos`, `sin` and `two_pi` for
@@ -124,12 +125,13 @@ inline constexpr float distance_rounding = 0x1p-18f;
 //
 // ![](inverse-square)
 //
-// An aside about `float` again. No ray can hit a point. But a point light may
-// hang in a ceiling, and then the ceiling must not be in the way. So here the
-// shadow ray ends a little *before* the light. Rounding grows with $d$ and
-// with the coordinates. So $d$ is reduced by `distance_rounding` times the
-// mean of two numbers: $d$, and the light's largest coordinate without sign.
-// You need not work this out. Copy it, with `distance` for $d$:
+// An aside about `float` again. No ray can hit a point. But a point light
+// may lie exactly in the plane of a ceiling, and then the ceiling must not
+// be in the way. So here the shadow ray ends a little *before* the light.
+// Rounding grows with $d$ and with the coordinates. So $d$ is reduced by
+// `distance_rounding` times the mean of two numbers: $d$, and the largest
+// absolute value of the light's coordinates. You need not work this out.
+// Copy it, with `distance` for $d$:
 //
 //     distance - distance_rounding / 2 *
 //         (distance + max_abs_component(light.center))
@@ -281,9 +283,9 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // \frac{L_e}{p(\omega)} = L_e\,\Omega_c$$
 //
 // The method is by Shirley, Wang and Zimmerman ("Monte Carlo Techniques for
-// Direct Lighting Calculations", ACM TOG 15(1), 1996). The weight is a
-// constant. What is still random is the cosine at the surface, and whether
-// something is in the way.
+// Direct Lighting Calculations", ACM TOG 15(1), 1996). The weight is the
+// same for all directions in the cone. What is still random is the cosine at
+// the surface, and whether something is in the way.
 //
 // ![](lamp-cone)
 //
@@ -296,8 +298,9 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 //
 // Where does this direction meet the sphere? Walk along it. After the
 // distance $d\cos\theta$ you are closest to the center, $d\sin\theta$ away.
-// From there back to the surface is half a *chord*, by Pythagoras. So the
-// distance to the first point on the sphere is
+// From there back to the surface is half a *chord*. By Pythagoras it is
+// $\sqrt{r^2 - d^2\sin^2\theta}$ long. So the distance to the first point on
+// the sphere is
 //
 // $$d\cos\theta - \sqrt{r^2 - d^2\sin^2\theta}$$
 //
@@ -360,7 +363,7 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 // These parts of the core do the rest:
 //
 // - `scene.lights` is the list of lights, each a `Light`.
-// - `leave(hit, direction)` gives the point where a ray starts that leaves
+// - `leave(hit, direction)` gives the starting point for a ray that leaves
 //   the surface in this direction. This point is the same for all directions
 //   on one side. So look at all lights from `leave(surface.hit,
 //   surface.normal)`.
@@ -418,8 +421,8 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 // this light already. If the camera looks straight at the lamp, there was no
 // previous vertex, and no light was asked.
 //
-// *What was hit?* The scene's list of lights has its rectangles and spheres
-// that emit. These were asked. A plane that emits has no end, so no point on
+// *What was hit?* Rectangles and spheres that emit are in the scene's list
+// of lights. These were asked. A plane that emits has no end, so no point on
 // it can be chosen uniformly. Triangles are not asked here, either. Only a
 // hit can find those two.
 //
@@ -541,10 +544,10 @@ class PathTracer {
 // ## Follow one path with numbers
 //
 // The option `--pixel` prints what happens along one path of a pixel, and
-// `--sample` chooses the path. This one starts on the floor, in the shadow of
-// the left ball. Vertex 0 asks the lamp, but the ball is in the way, so it
-// adds nothing. The path goes on to the red wall. Vertex 1 asks again, and
-// its shadow ray reaches the lamp.
+// `--sample` chooses the path. This one meets the floor first, in the shadow
+// of the left ball. Vertex 0 asks the lamp, but the ball is in the way, so
+// it adds nothing. The path goes on to the red wall. Vertex 1 asks again,
+// and its shadow ray reaches the lamp.
 //
 // ![](told-path)
 //
@@ -588,10 +591,10 @@ class PathTracer {
 //
 // ## Stage 2 minus stage 1 is noise
 //
-// Both stages estimate the same integral. So the difference of their pictures
-// must be noise around 0. No shape of the room may be seen in it. The only
-// exceptions are places where stage 1 has more noise, such as the lamp's
-// edge. Type this, with any scene that both can read:
+// Both stages estimate the same integral. So the difference of their
+// pictures must be noise around 0. No shape of the room may be seen in it.
+// The only exceptions are places with more noise, such as the lamp's edge.
+// Type this, with any scene that both can read:
 //
 //     make diff A=stage2 B=stage1 SCENE=scenes/cornell_box_lamp_diffuse.toml
 //
@@ -611,7 +614,7 @@ class PathTracer {
 //     build/stage2 scenes/cornell_box_point_diffuse.toml -o box.png
 //
 // With `--max-bounces 1` you see the direct light alone, and the shadows are
-// black. With more bounces there is light in the shadows. It came from the
+// black. With more bounces there is light in the shadows. It comes from the
 // walls. Look for red light beside the red wall.
 //
 // ![](direct-and-all)

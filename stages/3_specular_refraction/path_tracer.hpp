@@ -2,10 +2,10 @@
 
 // # Stage 3: perfect mirrors and glass
 //
-// So far light forgot, at each surface, where it came from. A mirror does not
-// forget: what arrives from one direction leaves in one direction. Glass lets
-// light through, and bends it. This stage adds both, and materials that do
-// several of these things at once.
+// So far, light has forgotten at each surface where it came from. A mirror
+// does not forget: what arrives from one direction leaves in one direction.
+// Glass lets light through, and bends it. This stage adds both, and
+// materials that do several of these things at once.
 //
 // Each way in which a material sends light on is called a *lobe*. Stage 1 had
 // one, the diffuse lobe. Now there are three: diffuse, *specular* (the
@@ -40,8 +40,10 @@ using stage2::direct_light;
 //
 // ![](mirror-cone)
 // How large is the constant? The surface returns the fraction $k_s$ of the
-// light. Let $L_i = 1$ from everywhere, as for $k_d/\pi$ in stage 1. In a
-// thin cone $\cos\theta$ hardly changes, so it leaves the integral:
+// light. Let $L_i = 1$ from everywhere, as for $k_d/\pi$ in stage 1. Then
+// every $\omega_o$ sees the same: its own cone, filled with the radiance 1.
+// So the surface sends out $k_s$ in all directions. In a thin cone
+// $\cos\theta$ hardly changes, so it can be taken out of the integral:
 //
 // $$k_s = \int_\Omega f_r \cos\theta\,d\omega = f_r \cos\theta\,\varepsilon
 // \quad\Rightarrow\quad f_r = \frac{k_s}{\varepsilon \cos\theta}$$
@@ -80,14 +82,15 @@ using stage2::direct_light;
 // A diffuse surface has
 // $f_r\,|n \cdot \omega_i| = \frac{k_d}{\pi}\,|n \cdot \omega_i|$. A mirror
 // has $f_r\,|n \cdot \omega_i| = 1$ in one direction, and
-// $f_r\,|n \cdot \omega_i| = 0$ in all others. This 1 is the integral over
-// the delta, not a value of it.
+// $f_r\,|n \cdot \omega_i| = 0$ in all others. This 1 is what the delta
+// gives when it is integrated. It is not a value of the delta.
 //
-// The cosine under the delta cancels the cosine of the rendering equation. So
-// a mirror shows things as bright as they are, at its rim as in its middle.
-// If you multiply by the cosine anyway, mirror balls get dark rims. If you
-// draw by cosine sampling with the weight $k_s$, the ball is not a mirror at
-// all. The last picture has a wrong sign, which the next section explains.
+// The cosine in the denominator, below the delta, cancels the cosine of the
+// rendering equation. So a mirror shows things as bright as they are, at its
+// rim as in its middle. If you multiply by the cosine anyway, mirror balls
+// get dark rims. If you draw by cosine sampling with the weight $k_s$, the
+// ball is not a mirror at all. The last picture has a wrong sign, which the
+// next section explains.
 //
 // ![](mirror-mistakes)
 //
@@ -128,7 +131,8 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 // \frac{\delta_{\omega_t}(\omega_i)}{|\omega_i \cdot n|},
 // \qquad p(\omega_t) = 1$$
 //
-// The bars are new: behind the surface $\omega_i \cdot n$ is negative. The
+// (So say the slides. A factor is missing, which comes below.) The bars are
+// new: behind the surface $\omega_i \cdot n$ is negative. The
 // integral of the rendering equation now runs over the whole sphere.
 //
 // Let $\eta_o$ be the index on the side of `wo`, and $\theta_o$ the angle
@@ -148,7 +152,7 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 // $$\omega_t = -\frac{\eta_o}{\eta_i}\,(\omega_o - \cos\theta_o\,n)
 // - \cos\theta_i\,n, \qquad \cos\theta_i = \sqrt{1 - \sin^2\theta_i}$$
 //
-// This is a unit vector, except for rounding. So `normalize(v)` it.
+// Rounding may change its length a little, so use `normalize(v)`.
 //
 // ## Total internal reflection
 //
@@ -160,20 +164,21 @@ inline Vec3 reflect(const Vec3& wo, const Vec3& normal) {
 // ![](snell)
 // So the path cannot leave. It goes on in the mirror direction and stays in
 // the glass: *total internal reflection*. These 41.8 degrees are the
-// *critical angle*. Through the cone within it, an eye in the glass sees
-// everything outside.
+// *critical angle*. An eye in the glass sees everything outside within a
+// cone around the normal. The critical angle is its half-angle.
 //
 // ![](critical-cone)
 // A tracer that ends the path there paints black glass. A ball hides this
-// mistake. A path in it meets the surface at the angle that it was bent to on
-// entering, and so gets out. A cube shows the mistake.
+// mistake. A path that enters it meets the surface from inside at the same
+// angle to which it was bent on entering. That is below the critical angle,
+// so it gets out. A cube shows the mistake.
 //
 // ![](cube-mistakes)
 // `relative_eta` returns $\eta_o/\eta_i$. The shape's normal,
 // `surface.hit.normal`, points outside, where the index is 1. If `wo` is on
-// its side, the path is outside. Do not ask `surface.normal`, which is turned
-// to `wo`: every path would be outside. The index $\eta$ inside is
-// `surface.material.eta`.
+// the same side as this normal, the path is outside. Do not use
+// `surface.normal`: it is always turned to `wo`, so every path would seem to
+// be outside. The index $\eta$ inside is `surface.material.eta`.
 
 // #region refract
 /// The direction behind the surface that `wo` is bent to, or nothing where
@@ -257,8 +262,10 @@ inline float relative_eta(const Surface& surface) {
 // This stage will follow *every* lobe at each hit. So the program prints a
 // tree, and what comes by a branch is indented. The ball has $k_t = 0.9$ and
 // $k_s = 0.1$. At vertex 0 the mirrored branch has the vertices 1 to 3, left
-// out here. The refracted one goes on at vertex 4. It leaves the ball there,
-// and meets the floor at vertex 8.
+// out here. The refracted one goes on at vertex 4, where it splits again.
+// Vertices 5 to 7 are the branch that is mirrored inside the ball, left out,
+// too. The refracted branch leaves the ball, and meets the floor at vertex
+// 8.
 //
 //     $ build/stage3 scenes/cornell_box_point.toml --max-bounces 3
 //     > --pixel 170,200 --sample 3
@@ -303,7 +310,8 @@ inline float relative_eta(const Surface& surface) {
 // + k_s\,\frac{\delta_{\omega_r}(\omega_i)}{n \cdot \omega_i}
 // + k_t\,\frac{\delta_{\omega_t}(\omega_i)}{|n \cdot \omega_i|}$$
 //
-// with $k_d + k_s + k_t \le 1$ in each channel.
+// with $k_d + k_s + k_t \le 1$ in each channel. As on the slides, the last
+// term is without $(\eta_o/\eta_i)^2$; `sample` has it.
 //
 // The slide "Material coefficients" has a fourth, $k_e$: the emission
 // $L_e(x, \omega_o)$. Where $k_e > 0$ the other three are 0.
@@ -350,22 +358,26 @@ inline BsdfSample sample(Lobe lobe, const Surface& surface, Sampling sampling,
 
 // ## Lights, mirrors and glass
 //
-// Next-event estimation picks a direction to a light. It is $\omega_r$ or
-// $\omega_t$ with the probability 0. So at the two new lobes it always
-// returns 0 (slide "Next-event estimation and delta BRDF"). The lights are
-// asked for the diffuse lobe alone, and `evaluate` stays $k_d/\pi$.
+// Next-event estimation picks a direction to a light. The probability that
+// it is exactly $\omega_r$ or $\omega_t$ is 0. So at the two new lobes it
+// always returns 0 (slide "Next-event estimation and delta BRDF"). The
+// lights are asked for the diffuse lobe alone, and `evaluate` stays
+// $k_d/\pi$.
 //
 // A mirror gets a lamp's light by the path that goes on and hits the lamp.
-// "Counted once" has a third case: after a delta lobe no light was asked, so
-// the lamp counts. `direct_light_added` is true only after a *diffuse*
-// bounce. That also holds for a material with several lobes.
+// "Counted once" asked what happened at the previous vertex. There is a new
+// answer: the path left it by a delta lobe. No light was asked for that
+// lobe, so the lamp counts. `direct_light_added` is true only after a
+// *diffuse* bounce. That also holds for plastic, where the lights were
+// asked, but for the diffuse lobe alone.
 //
 // ![](mirrored-lamps)
 // Two things look like bugs, but are not. Under a *point* light a glass ball
 // has a shadow, as if it were opaque. The shadow ray goes straight, and the
-// glass stops it. The real light comes bent, gathered in a bright spot, a
-// *caustic*. But a path from the floor through the ball would have to hit a
-// point. For the same reason a mirror shows no image of a point light.
+// glass stops it. Real glass bends the light and gathers it in a bright
+// spot, a *caustic*. But a path from the floor through the ball would have
+// to hit a point. For the same reason a mirror shows no image of a point
+// light.
 //
 // ![](glass-shadow)
 // Under a lamp with an area you see both the caustic and the lamp's image.
@@ -390,18 +402,18 @@ struct Branch {
   Ray ray;
   Vec3 throughput{1};
   int bounce = 0;                   ///< how many bounces lie behind it
-  bool direct_light_added = false;  ///< at the surface that it comes from
+  bool direct_light_added = false;  ///< for the lobe that it left by
 };
 
 /// No path gets more bounces than this, even if `max_bounces` is larger.
 inline constexpr int bounce_limit = 64;
 // #endregion branch
 
-// What does the tree cost? Let all surfaces have two lobes, and count with
-// one light and $b$ bounces. The camera's ray meets a surface, and 2, 4, 8
-// rays follow: together $1 + 2 + \dots + 2^b = 2^{b+1} - 1$. Each surface,
-// except in the last row, also sends a shadow ray. These are $2^b - 1$ in
-// all. The sum is
+// What does the tree cost? Let all surfaces have two lobes, one of them
+// diffuse, and count with one light and $b$ bounces. The camera's ray meets
+// a surface, and 2, 4, 8 rays follow: together $1 + 2 + \dots + 2^b =
+// 2^{b+1} - 1$. Each surface, except in the last row, also sends a shadow
+// ray. These are $2^b - 1$ in all. The sum is
 //
 // $$(2^{b+1} - 1) + (2^b - 1) = 3 \cdot 2^b - 2$$
 //
@@ -418,12 +430,12 @@ inline constexpr int bounce_limit = 64;
 //
 // ## The path
 //
-// One turn of stage 2's loop is one call of `follow`. The steps are the same,
-// in the same order. A bounce at a mirror counts as a bounce. Only a surface
-// whose $k_d$ is not black asks the lights, by stage 2's
+// One turn of stage 2's loop is one call of `follow`. The steps are the
+// same, in the same order. A bounce at a mirror counts as a bounce. Only a
+// surface whose $k_d$ is not black asks the lights, by stage 2's
 // `direct_light(scene_, surface, random)`. The rays of the lobes start by
-// `spawn_ray`, on the side of their direction. So it works behind the
-// surface, in the glass, too.
+// `spawn_ray`, on the side that their direction points to. So this also
+// works for a ray that goes into the glass.
 
 // #region path
 class PathTracer {

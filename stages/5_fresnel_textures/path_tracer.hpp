@@ -2,13 +2,13 @@
 
 // # Stage 5: Fresnel and textures
 //
-// So far a material was the same everywhere. Real materials are not. A floor
-// has tiles, a globe has countries. A window reflects the sky if you look
-// along it, and hardly anything if you look straight through. The rendering
-// equation has always allowed this: $f_r(x, \omega_i, \omega_o)$ depends on
-// the place $x$ and on the direction of view $\omega_o$. So before a surface
-// is used, ask for its material at $x$, seen from $\omega_o$. Nothing else
-// changes.
+// So far, a material has been the same everywhere. Real materials are not. A
+// floor has tiles, a globe has countries. A window reflects the sky if you
+// look along it, and hardly anything if you look straight through. The
+// rendering equation has always allowed this: $f_r(x, \omega_i, \omega_o)$
+// depends on the place $x$ and on the direction of view $\omega_o$. So
+// before a surface is used, ask for its material at $x$, seen from
+// $\omega_o$. Nothing else changes.
 //
 // ![](floor)
 //
@@ -31,9 +31,9 @@ using stage4::LobeChoice;
 // ## How much glass reflects
 //
 // In stage 3 glass reflected a fixed fraction at every angle. The surface of
-// real glass reflects 4 % when you look straight at it, and everything at a
-// *grazing* angle, almost along the surface. One word in the scene file asks
-// for that (`eta` is 1.5 by default):
+// real glass reflects 4 % when you look straight at it, and nearly
+// everything when you look along it, at a *grazing* angle. One word in the
+// scene file asks for that (`eta` is 1.5 by default):
 //
 //     fixed   = { ks = 0.1, kt = 0.9 }
 //     fresnel = { ks = 1, kt = 1, fresnel = true }
@@ -150,10 +150,10 @@ inline float fresnel_reflectance(float cos_o, float eta_ratio) {
 //   $u$, and the middle of the image looks to -z, where the lab's camera
 //   stands. The latitude gives $v$, from the south pole to the north pole.
 //
-// Write the sphere. Its unit normal $n$ is `hit.normal`. It points from the
-// center to the hit, so it does not change when the ball is moved. The
-// longitude is the angle between $n$ and -z, seen from above,
-// `std::atan2(n.x, -n.z)`, from $-\pi$ to $\pi$. It becomes $u = 0.5 +
+// Write the case for a sphere. Its unit normal $n$ is `hit.normal`. It
+// points from the center to the hit, so it does not change when the ball is
+// moved. Seen from above, the longitude is the angle from -z to $n$. It is
+// `std::atan2(n.x, -n.z)`, from $-\pi$ to $\pi$, and becomes $u = 0.5 +
 // \text{longitude}/2\pi$. The angle from the south pole is $\arccos(-n_y)$,
 // by `std::acos`, and divided by $\pi$ it is $v$. Rounding may make $-n_y$
 // slightly larger than 1, and its arccosine a NaN. So clamp it:
@@ -242,8 +242,8 @@ inline Vec2 texture_coordinates(const Scene& scene, const Hit& hit) {
 // on the right. The same holds for $y$, with the upper and the lower row.
 //
 // Outside of 0 to 1 the image repeats: only the fraction of $u$ and $v$
-// counts, `uv.x - std::floor(uv.x)`. Over the poles the image must not
-// repeat, or the north would shine through in the south. So if `has_poles`,
+// counts, `uv.x - std::floor(uv.x)`. But $v$ must not repeat on a globe, or
+// the colors of one pole would be mixed into the other. So if `has_poles`,
 // take $v$ as it is, and clamp $y$ to the range from 0 to height - 1 before
 // you split it.
 //
@@ -341,8 +341,9 @@ inline Vec3 image_color(const Texture& texture, const Vec2& uv,
 //
 // $$k(\theta) = k_0 + (k_{90} - k_0)(1 - \cos\theta)^5$$
 //
-// Here $\theta$ is the angle of $\omega_o$. So use it for $k_s$: a $k_d$ that
-// depends on one of the two directions alone breaks Helmholtz *reciprocity*.
+// Here $\theta$ is the angle of $\omega_o$. At a mirror both directions have
+// the same angle, so use it for $k_s$. At a diffuse surface they differ: a
+// $k_d$ that depends on one of the two alone breaks Helmholtz *reciprocity*.
 // This law says that light can go the same way backwards.
 //
 // With $k_0 = 0.04$ and $k_{90} = 1$ it is close to the $F$ of glass, seen
@@ -403,7 +404,7 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
 }
 // #endregion patterns
 
-// ## The material, here and from there
+// ## The material at a hit
 //
 // `material_at` returns a copy of the hit's material, with the coefficients
 // that it has here. `varying_kd` is a pointer to a pattern, or null. If it is
@@ -412,15 +413,17 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
 //
 // With `fresnel = true` in the scene file, `fresnel` in the material is true,
 // and the light is shared out: $k_s$ becomes $F k_s$, and
-// $k_t$ becomes $(1 - F)\,k_t$. What is reflected is missing in what goes
-// through. So ideal glass has $k_s = k_t = 1$, and loses nothing. The diffuse
-// $k_d$ stays as it is.
+// $k_t$ becomes $(1 - F)\,k_t$. The reflected and the refracted light add up
+// to all of the light. So ideal glass has $k_s = k_t = 1$, and loses
+// nothing. The diffuse $k_d$ stays as it is.
 //
 // ![](fresnel-mistakes)
 //
 // Beware of `kt = 1` without `ks`. Then $F k_s$ is 0, and what glass should
-// reflect is lost. Beyond the critical angle $1 - F$ is 0, too: total
-// internal reflection vanishes, and the inside of the glass is black there.
+// reflect is lost. Beyond the critical angle $1 - F$ is 0, too. In stage 3
+// the refraction lobe did total internal reflection, with $k_t$. Now nothing
+// is left to it, and the specular lobe does it, with $k_s$. So the inside of
+// the glass is black there.
 //
 // ![](without-ks)
 //
@@ -431,11 +434,13 @@ inline Vec3 coefficient_at(const VaryingCoefficient& pattern,
 //
 // - Vertex 0: $F$ is 0.050. The event was refraction, and its probability was
 //   $1 - F$. Of the weight $(1 - F)/2.25$ only $1/2.25 = 0.444$ is left.
-// - Vertex 1: the path leaves the glass. In a ball it meets the wall at the
-//   angle that it was bent to. $F$ is the same for both directions of one
-//   ray, so it is 0.050 again. The weight is 2.25.
-// - Vertex 2: the throughput is 1. The path counts in full, as if there were
-//   no glass. It goes on to the lamp, and brings 1.
+// - Vertex 1: the path leaves the glass. In a ball it meets the surface from
+//   inside at the same angle to which it was bent on entering. $F$ is the
+//   same for both directions of one ray, so it is 0.050 again. The weight is
+//   2.25.
+// - Vertex 2: the throughput is 1, as if there were no glass. The weight of
+//   the white floor is its 0.8 over the probability 0.8. So the path still
+//   counts in full, goes on to the lamp, and brings 1.
 //
 //     $ build/stage5 scenes/fresnel_glass.toml --pixel 60,165
 //     > --sample 22

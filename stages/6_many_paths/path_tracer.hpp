@@ -13,8 +13,7 @@
 // stage 5's, and so are the random numbers. Even the picture is the same, to
 // the last bit. In the lab's box, with its seven shapes, stage 6 makes it
 // four to six times as fast. With a thousand shapes hardly anything is
-// gained; why is said at the end. (On ARM a row has four lanes. An x86
-// processor has what rows need from AVX2 on.)
+// gained; why is said at the end.
 //
 // ![](one-and-sixteen)
 //
@@ -46,9 +45,9 @@ namespace lightwalk::stage6 {
 // thing for each lane. A single number beside a row applies to all lanes.
 //
 // The operators work lane by lane. With rows, `a * b + c` is 16 products and
-// 16 sums. So a formula stays as it is. Here are three of them, from stages 1
-// and 3. The types have changed, and with them `std::sqrt` and the literals.
-// `Bases` has a basis for each lane.
+// 16 sums. So a formula stays as it is. Here are three of them, from stages
+// 1 and 3. Only the types differ: `sqrt` replaces `std::sqrt`, and 1 is
+// `1.0f`. `Bases` has a basis for each lane.
 //
 // What is behind the operators? A library, Highway, knows the instructions
 // of each processor, and `rows/row.hpp` defines operators for them.
@@ -112,17 +111,15 @@ HWY_INLINE Vec3s reflect(const Vec3s& wo, const Vec3s& normal) {
 // A path that would return stays in its lane, but it is no longer `on`. Its
 // `sum` is not changed any more, because each sum is selected by a mask of
 // lanes that are on. Its ray and its throughput may become nonsense, even a
-// NaN (0/0, say). Nothing that comes of them is used, and the next path
-// replaces them.
+// NaN. Nothing that comes of them is used, and the next path replaces them.
 //
 // A lane that is on may also take the root of a negative number, in the
 // branch that is not its own. There `select` leaves the NaN out.
 //
 // The line with `any` saves time. Where no lane at all takes a branch, it is
-// left out. Otherwise only its own lanes may change: the function gets the
-// mask, or a `select` has it. The last line is explained under "A table for
-// all". With 16 lanes a branch is seldom left out. If one path
-// in ten is in glass, some path of 16 is in glass 81 times out of 100.
+// left out. Otherwise only its own lanes may change: the mask is passed to
+// the function, or used in a `select`. With 16 lanes a branch is seldom left
+// out: if one path in ten is in glass, some path of 16 is 81 times in 100.
 //
 // Refraction returned nothing where all light is reflected. A row cannot
 // return nothing. So `refract` always gives directions, and a mask of the
@@ -167,20 +164,20 @@ HWY_INLINE Floats fresnel_reflectance(const Floats& cos_o,
 // ## A table for all
 //
 // Each path has met a shape of its own, and so a material of its own. In
-// stage 5 that was a pointer. Here the materials stand in a table, one in
-// each line. Each lane looks up the number of its shape's material, and then
-// what stands in that line. A short table fits into a register, and picking
+// stage 5 that was a pointer. Here the materials are in a table, one entry
+// for each. Each lane looks up the number of its shape's material, and then
+// what is in that entry. A short table fits into a register, and picking
 // from a register is one instruction for all of its lanes. A longer table
 // stays in memory, and the numbers are fetched one by one
 // (`rows/column.hpp`).
 //
 // ![](lookup)
 //
-// Not everything has to be fast. A pattern of stage 5 is worked out lane by
-// lane, by stage 5's own function.
+// A pattern of stage 5 is worked out lane by lane, by stage 5's own
+// function.
 
 // #region material-at
-/// A scene as rows of paths ask it.
+/// The scene in the form that rows need.
 struct SceneRows {
   const Scene& scene;
   ShapeTable shapes;
@@ -221,7 +218,7 @@ HWY_INLINE Materials material_at(const SceneRows& rows, const Hits& hit,
   return m;
 }
 
-/// Where each path is, as stage 5's Surface. The rows are those of `step`.
+/// Where each path is, as stage 5's Surface; refers to the rows in `step`.
 struct Surfaces {
   const Hits& hit;
   const Materials& material;  ///< with the coefficients that they have here
@@ -238,9 +235,9 @@ HWY_INLINE Vec3s emitted(const SceneRows& rows, const Surfaces& surface) {
 
 // ## An event for each path
 //
-// Each path draws an event. Three masks say which path drew which. No lane is
-// set in two of them. A lane that was on and is set in none has lost its
-// path: the light was absorbed.
+// Each path draws a lobe or is absorbed. Three masks say which path drew
+// which lobe. No lane is set in two of them. A lane that was on and is set
+// in none has lost its path: the light was absorbed.
 
 // #region choose-lobes
 struct LobeChoices {
@@ -264,9 +261,8 @@ HWY_INLINE LobeChoices choose_lobes(const Materials& material,
   const Floats r = scale * refraction;
 
   LobeChoices choice;
-  // Clang 19 never finishes `on & (xi < d + s + r) & !(diffuse | specular)`
-  // for AVX-512: two of its rewrites undo each other. So each mask is made
-  // of comparisons alone.
+  // Clang 19 never finishes compiling `on & (xi < d + s + r) & !(...)` for
+  // AVX-512: two of its rewrites undo each other. So masks are comparisons.
   choice.diffuse = on & (xi < d);
   choice.specular = on & !(xi < d) & (xi < d + s);
   choice.refraction = on & !(xi < d + s) & (xi < d + s + r);
@@ -431,37 +427,42 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
 
 // ## One step
 //
-// Everything that a path carries from one surface to the next stands in
+// Everything that a path carries from one surface to the next is kept in
 // `Paths`. The paths of a row are at different bounces, so `bounce` is a
 // row, too. The body of stage 5's loop becomes `step`. Here they are side by
 // side: the comments are the same, and so is their order.
 //
 // ![](step-beside-loop)
 //
-// Now line by line. `count_rays` was inside the search, and what adds 1 to
-// `bounce` was in the head of the loop. `log_vertex` is missing: with
-// `--pixel`, stage 5 follows the path and prints it.
+// A few lines need a word. `count_rays` counts rays for the display; it was
+// inside the search. What adds 1 to `bounce` was in the loop's head.
+// `is_light` and the line after it are stage 2's `already_counted`: the
+// shape is in the list of lights, and the previous vertex asked them.
+// `log_vertex` is missing: with `--pixel`, stage 5 follows the path and
+// prints it.
 //
 // In stage 5 a path ended in four places, by four `return`s. Here there are
 // four lines in which `on` loses lanes: those that meet nothing, meet an
-// emitter, have had all bounces, or draw no event. (In the last one, the
-// three masks have only lanes that were on.) `step` returns those that are
-// left. The figure follows eight lanes through a step.
+// emitter, have had all bounces, or are absorbed. (In the last one, the
+// three masks have only lanes that were on. So `direct_light_added` is false
+// in every lane that has ended.) `step` returns those that are left. The
+// figure follows eight lanes through a step.
 //
 // ![](masks)
 //
 // Rays of all lanes are tested with one shape, then with the next, and each
 // lane keeps the nearest (`rows/shape_table.hpp`). Lanes that are off come
-// along for nothing. A lane that met nothing gets the line of the first
-// shape, since any will do: its results are not used. `on` is narrowed
+// along for nothing; only where each ray searches a tree alone, below, are
+// they left out. A lane that met nothing is given the first shape's entry of
+// the table, since any will do: its results are not used. `on` is narrowed
 // before `material_at`, so that a pattern is worked out only for lanes on a
 // shape.
 //
-// `on` is given twice. `random.uniform(on)` moves the random numbers on in
-// the lanes that are on, and `choose_lobes` sets its masks only in these. In
-// a lane that draws no event `lobe.probability` is 0, and the weight is 0/0;
-// but this lane has just lost its path. `normal_towards(hit, wo)` is the
-// normal on the side of `wo`, as before.
+// When the event is drawn, `on` is given twice. `random.uniform(on)` draws a
+// number for these lanes only, and `choose_lobes` sets its masks only in
+// these. In a lane whose light is absorbed the probability and the weight
+// mean nothing, and may be 0/0; but this lane has just lost its path.
+// `normal_towards(hit, wo)` is the normal on the side of `wo`, as before.
 
 // #region paths
 inline constexpr int paths_at_once = row_lanes;
@@ -551,15 +552,14 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 //
 // ![](idle-lanes)
 //
-// So a lane whose path has ended gets the next sample's path at once. Now a
-// step has paths in it that are at their first bounce, and others at their
-// tenth. They do not notice, for no path looks at another.
+// So a lane whose path has ended gets the next sample's path at once. Now
+// some paths of a row are at their first bounce and others at their tenth.
 //
-// ## How the bits stay
+// ## Why the last bit is the same
 //
 // Floats are rounded after each operation. So the sum of three numbers
 // depends on which two are added first, and most programs that are made
-// faster lose their bits there. Three rules keep them here:
+// faster change the last bits there. Three rules keep them here:
 //
 // - In each lane the operations are those of stage 5, in its order. A
 //   compiler might turn `a * b + c` into one instruction that rounds only
@@ -572,18 +572,17 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 //
 // ![](in-their-places)
 //
-// What is it worth? If there is an error in this code, the first scene that
-// meets it shows it: render the same with stage 5, and compare. So the tests
-// of this stage need no tolerance.
+// Why bother? Any error shows at once: render the scene with stage 5, too,
+// and compare the bits. So the tests of this stage need no tolerance.
 //
 // So far the program asked a stage for one ray after the other. This stage
 // is given a *tile*, 16 by 16 pixels, and makes its rays itself.
 // `for_each_lane` calls a function for each lane of a mask, one after the
-// other, and `no_slot` says that a ray leaves no shape. `SampleQueue` has
-// the samples of the tile, and a `Film` adds up the pixels. If the user ends
-// the program, `stop` is set, and the tile is dropped. `samples_taken` only
-// counts, for the display. `mask_of` makes a mask of bits, bit 0 for lane 0,
-// and `no_lanes` is the mask without a lane.
+// other, `origin_slot` is the shape that a ray leaves, and `no_slot` none.
+// `SampleQueue` has the samples of the tile, and a `Film` adds up the
+// pixels. If the user ends the program, `stop` is set, and the tile is
+// dropped. `samples_taken` only counts, for the display. `mask_of` makes a
+// mask of bits, bit 0 for lane 0, and `no_lanes` is the mask without a lane.
 
 // #region render-tile
 /// Makes a new path in each `fresh` lane, where SampleQueue::take has left a
@@ -595,7 +594,7 @@ inline void PathTracer::begin(Paths& path, const Mask& fresh) const {
   path.throughput = select(fresh, white, path.throughput);
   path.sum = select(fresh, black, path.sum);
   path.bounce = select(fresh, 0, path.bounce);
-  // The path before ended without an event: direct_light_added is not set.
+  // direct_light_added is false: step has set it to lobe.diffuse.
 }
 
 inline void PathTracer::render_tile(const Tile& tile, Film& film,
@@ -650,18 +649,19 @@ inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
 // ## What it buys
 //
 // AVX2 and AVX-512 are names of instruction sets. Their registers hold 8 and
-// 16 floats, so a row is two registers of AVX2. How many times as long stage
-// 5 takes, in processor time (it uses AVX2 in both columns):
+// 16 floats, so a row is two registers of AVX2. The table has stage 5's
+// processor time over stage 6's. Stage 5 uses AVX2 in both columns.
 //
 // | the lab's box, all materials | AVX2 | AVX-512 |
 // |---|---|---|
 // | under a point light | 4.6 | 6.1 |
 // | under its shining ceiling | 3.9 | 4.9 |
 //
-// Why not 16 times as fast? Stage 5's search uses the registers, too. A
-// division of 16 numbers takes longer than one of a single number. Some lanes
-// wait whenever another branch is worked out. And what stands in 16 lanes
-// does not fit into the registers, so that much is moved to memory and back.
+// Why not 16 times as fast, or 8 with AVX2? Stage 5's search uses the
+// registers, too. A division of 16 numbers takes longer than one of a single
+// number. Some lanes wait whenever another branch is worked out. And the
+// data of 16 lanes does not fit into the registers, so a lot of it is moved
+// to memory and back.
 //
 // From 64 shapes of one type on, the search uses a tree of boxes, and there
 // 16 rays take 16 different ways. So each ray searches alone, as in stage 5.
@@ -675,18 +675,18 @@ inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
 //     build/stage5 scenes/cornell_box_point.toml -o one.pfm
 //     cmp many.pfm one.pfm
 //
-// If the last line prints nothing, the two files are the same.
-// A build with `-DLIGHTWALK_NATIVE=OFF` uses what every x86-64 has: registers
-// of four numbers, without some instructions that rows need. There stage 6 is
-// the same as stage 5, and `--version` says so.
+// If the last line prints nothing, the two files are the same. A build with
+// `-DLIGHTWALK_NATIVE=OFF` uses what every x86-64 has: registers of four
+// numbers, without some instructions that rows need. There stage 6 is the
+// same as stage 5, and `--version` says so.
 //
 // ![](lab-many)
 //
 // What remains? A graphics card does the same with 32 lanes, and with
-// thousands of rows at work. There paths are sorted by the material that they
-// meet, so that all lanes of a row do the same. The name for that is
-// *wavefront path tracing* (Laine, Karras, Aila: "Megakernels Considered
-// Harmful", HPG 2013).
+// thousands of rows at work. A program there may collect the paths in
+// queues, by the material that they meet, so that all lanes of a row do the
+// same. The name for that is *wavefront path tracing* (Laine, Karras, Aila:
+// "Megakernels Considered Harmful", HPG 2013).
 
 }  // namespace lightwalk::stage6
 

@@ -1,8 +1,9 @@
 // The book as its readers use it.
 const assert = require("node:assert/strict");
+const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
 const { after, before, test } = require("node:test");
-const { build, files, launch, url, watched } = require("./browser.cjs");
+const { build, files, launch, root, url, watched } = require("./browser.cjs");
 
 const phone = { width: 390, height: 844 };
 const paper = { width: 657, height: 979 }; // A4 within its margins
@@ -272,6 +273,14 @@ test("on paper no code and no formula is cut off", () =>
     }, paper.width);
     assert.deepEqual(cut, [], name);
   }));
+
+test("the whole book prints to one PDF, with an outline and no address of this machine", () => {
+  execFileSync(`${build}/site-venv/bin/python`, ["-B", "-m", "tools.book.pdf"], { cwd: root });
+  const pdf = fs.readFileSync(`${build}/book/lightwalk.pdf`).toString("latin1");
+  assert.ok((pdf.match(/\/Type \/Page\b/g) ?? []).length > 60, "pages are missing");
+  assert.match(pdf, /\/Outlines/);
+  assert.ok(!/file:\/\//.test(pdf), "a link to this machine");
+});
 
 test("a chapter prints to PDF", async () => {
   const page = await watched(browser);
