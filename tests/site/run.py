@@ -16,7 +16,7 @@ from pathlib import Path
 from tests.tally import Tally
 from tools.tree import ROOT
 
-FILES = ("tests/site/test_*.py", "tools/book/test_*.py", "tests/site/*.test.cjs")
+FILES = ("tests/site/test_*.py", "tools/book/test_*.py", "tools/slides/test_*.py", "tests/site/*.test.cjs")
 
 
 def run(path):

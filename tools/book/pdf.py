@@ -1,6 +1,6 @@
 """The whole book as one PDF, for paper: the chapters one after the other.
 
-    python3 -m tools.book.pdf     build/book/lightwalk.pdf, from the built book
+python3 -m tools.book.pdf     build/book/lightwalk.pdf, from the built book
 """
 
 import re
