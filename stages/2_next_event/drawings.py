@@ -79,7 +79,7 @@ def lamp_cone():
         x + near * math.cos(a), y - near * math.sin(a), x + far * math.cos(a), y - far * math.sin(a), d.WARM
     )
     yield from d.angle(x, y, 90 - edge, 90, 150, "", d.SOFT)
-    yield d.symbol(x + 176, y - 62, "t_m", d.SOFT)
+    yield d.symbol(x + 146, y - 70, "t_max", d.SOFT)
     yield from d.angle(x, y, 80.5, 90, 96, "", d.WARM)
     yield d.symbol(x + 112, y - 4, "θ", d.WARM)
     foot = distance * math.cos(a)
@@ -89,7 +89,7 @@ def lamp_cone():
     yield d.circle(x, y, 4.5)
     yield d.symbol(x - 20, y + 6, "x")
     yield d.circle(cx, y, 3.5)
-    yield d.text(260, 266, "sin t_m = r/d", d.SOFT)
+    yield d.text(260, 266, "sin t_max = r/d", d.SOFT)
 
 
 @d.diagram("who-counts", 540, 150)

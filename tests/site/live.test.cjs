@@ -15,6 +15,9 @@ const figures = {
   "event-bar": "4_russian_roulette",
   inversion: "1_diffuse",
   "fresnel-curves": "5_fresnel_textures",
+  "inverse-square": "2_next_event",
+  "area-to-angle": "2_next_event",
+  "lamp-cone": "2_next_event",
 };
 
 async function figure(name) {
@@ -79,6 +82,94 @@ test("Fresnel: 4 % straight on, Brewster's angle, and all beyond the critical an
   await close(page);
 });
 
+test("the inverse square: four times the area, a quarter of the weight", async () => {
+  const { page, slider, says } = await figure("inverse-square");
+  assert.match(await says(), /d = 1\.00 the area is 0\.100 m².*is 1\.000 W.*2d = 2\.00 they are 0\.400 m² and 0\.250 W/);
+  await slider("d").fill("1.5");
+  assert.match(await says(), /d = 1\.50 the area is 0\.225 m².*is 0\.444 W.*2d = 3\.00 they are 0\.900 m² and 0\.111 W/);
+  await close(page);
+});
+
+test("area to angle: cos θ′/d² of the area, cos θ′/d of a line, and 0 from behind", async () => {
+  const { page, live, slider, says } = await figure("area-to-angle");
+  assert.match(await says(), /0\.766\/16\.00 dA = 0\.0479 dA.*0\.192 times as long.*0\.250 times/);
+  await slider("θ′").fill("60");
+  await slider(/^d /).fill("3");
+  assert.match(await says(), /0\.500\/9\.00 dA = 0\.0556 dA.*a cut.*0\.167 times as long.*0\.333 times/);
+  // The drawing has the lengths that the words have, nearly: its patch is not small.
+  const [patch, turned, piece] = await live.evaluate((box) => [".warm.thick", ".green", ".cool.thick"]
+    .map((kind) => box.querySelector(`svg .stroke${kind}`).getTotalLength()));
+  assert.ok(Math.abs(turned / patch - 0.5) < 1e-3, `cos θ′: ${turned / patch}`);
+  assert.ok(Math.abs(piece / patch - 0.167) < 0.01, `cos θ′/d: ${piece / patch}`);
+  await slider("θ′").fill("120");
+  assert.match(await says(), /cos θ′ = −0\.500.*the weight is 0/);
+  assert.equal(await live.locator("svg .cool").count(), 0);
+  await close(page);
+});
+
+test("the lamp's cone: its angle, the direction, and the first point on the sphere", async () => {
+  const { page, live, slider, says } = await figure("lamp-cone");
+  await slider("d").fill("4");
+  await slider("r").fill("1");
+  await slider("ξ").fill("0.5");
+  // 1 - cos(arcsin(1/4)) = 0.0318, half of it is 0.0159; 4 sin θ = 0.710, whose half chord is 0.704.
+  assert.match(await says(), /r\/d = 0\.250, so θmax = 14\.5° and Ωc = 0\.200 sr/);
+  assert.match(await says(), /= 0\.984, so θ = 10\.2°.* = 3\.936 − 0\.704 = 3\.232\./);
+  const far = await live.evaluate((box) => {
+    const at = (one) => [one.cx.baseVal.value, one.cy.baseVal.value];
+    const away = ([a, b], [c, d]) => Math.hypot(a - c, b - d);
+    const [first] = [...box.querySelectorAll("svg circle.warm")].map(at), [x, center] = [...box.querySelectorAll("svg circle.ink")].map(at);
+    return [away(first, center), away(first, x)].map((length) => (4 * length) / away(x, center));
+  });
+  assert.deepEqual(far.map((length) => length.toFixed(3)), ["1.000", "3.232"]);
+  await slider("ξ").fill("1");
+  assert.match(await says(), /θ = 14\.5°.* − 0\.000 = 3\.873/);
+  await close(page);
+});
+
+test("labels are as large as the text, inside, and apart, wherever the sliders are", async () => {
+  for (const name of Object.keys(figures)) {
+    const { page, live } = await figure(name);
+    const wrong = await live.evaluate((box) => {
+      const svg = box.querySelector("svg"), { width, height } = svg.viewBox.baseVal;
+      const scale = svg.getBoundingClientRect().width / width;
+      const inputs = [...box.querySelectorAll("input")];
+      const overlap = (a, b) =>
+        Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x) > 1 &&
+        Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y) > 5;
+      const found = new Map();
+      const look = () => {
+        const labels = [...svg.querySelectorAll("text")].map((e) => ({
+          text: e.textContent, size: scale * parseFloat(getComputedStyle(e).fontSize), box: e.getBBox(),
+        }));
+        const where = inputs.map((input) => (input.type === "checkbox" ? input.checked : input.value)).join(" ");
+        labels.forEach(({ text, size, box }, i) => {
+          if (size < 15.99) found.set(`small: ${text}`, where);
+          if (box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height) found.set(`outside: ${text}`, where);
+          for (const other of labels.slice(0, i)) if (overlap(box, other.box)) found.set(`on each other: ${text}, ${other.text}`, where);
+        });
+      };
+      // The fewer the sliders, the closer are the places that are tried.
+      const steps = [40, 16, 6, 4][inputs.filter((input) => input.type === "range").length - 1];
+      const each = (i) => {
+        if (i === inputs.length) return look();
+        const input = inputs[i], { min, max } = input;
+        const places = input.type === "checkbox" ? [false, true] : Array.from({ length: steps + 1 }, (_, k) => +min + ((max - min) * k) / steps);
+        for (const place of places) {
+          if (input.type === "checkbox") input.checked = place;
+          else input.value = place;
+          input.dispatchEvent(new Event("input"));
+          each(i + 1);
+        }
+      };
+      each(0);
+      return [...found].map(([what, where]) => `${what} (at ${where})`);
+    });
+    assert.deepEqual(wrong, [], name);
+    await close(page);
+  }
+});
+
 test("each is moved by the arrow keys, which turn no page, and by dragging", async () => {
   for (const name of Object.keys(figures)) {
     const { page, live, says } = await figure(name);
@@ -100,7 +191,24 @@ test("each is moved by the arrow keys, which turn no page, and by dragging", asy
   }
 });
 
-test("without scripts the still pictures are there", async () => {
+test("what is dragged goes to the pointer", async () => {
+  for (const [name, label, [px, py], value] of [
+    ["inverse-square", "d", [36 + 134 * 0.75, 120], 0.75],
+    ["area-to-angle", "θ′", [150 + 288 * Math.cos((37 * Math.PI) / 180), 250], 53], // straight down: 90 - 37
+    ["lamp-cone", /^d /, [46 + 88 * 3, 150], 3],
+  ]) {
+    const { page, live, slider } = await figure(name);
+    const area = await live.locator("svg").boundingBox();
+    const scale = area.width / 520;
+    await page.mouse.move(area.x + scale * px, area.y + scale * py);
+    await page.mouse.down();
+    await page.mouse.up();
+    assert.ok(Math.abs(Number(await slider(label).inputValue()) - value) <= 0.02 * value, `${name}: ${await slider(label).inputValue()}`);
+    await close(page);
+  }
+});
+
+test("without scripts, and on paper, the still pictures are there", async () => {
   const context = await browser.newContext({ javaScriptEnabled: false });
   const page = await context.newPage();
   for (const [name, chapter] of Object.entries(figures)) {
@@ -108,4 +216,12 @@ test("without scripts the still pictures are there", async () => {
     assert.ok(await page.locator(`.figure.live-${name} img`).first().isVisible(), name);
   }
   await context.close();
+  for (const name of Object.keys(figures)) {
+    const { page, live } = await figure(name);
+    const seen = () => Promise.all([live, page.locator(`.figure.live-${name} img`).first()].map((one) => one.isVisible()));
+    assert.deepEqual(await seen(), [true, false], name);
+    await page.emulateMedia({ media: "print" });
+    assert.deepEqual(await seen(), [false, true], `${name} on paper`);
+    await close(page);
+  }
 });

@@ -68,6 +68,12 @@ class Drawings(Copy):
         drawn = self.assert_drawn("yield d.text(100, 100, 'small', size=9)")
         self.assertEqual([e.get("font-size") for e in drawn.iter() if e.tag.endswith("}text")], ["16"])
 
+    def test_an_index_is_one_letter_or_max(self):
+        drawn = self.assert_drawn("yield d.text(100, 100, 'sin t_max = w_o')")
+        self.assertEqual(self.texts(drawn), ["sin θmax = ωo"])
+        indices = [e.text for e in drawn.iter() if e.tag.endswith("}tspan") and e.get("font-size")]
+        self.assertEqual(indices, ["max", "o"])
+
     def test_a_color_without_counterpart(self):
         run = self.draw("yield d.circle(10, 10, 5, '#123456')")
         self.assert_one_line(run, "drawing", ["'new'", "#123456 has no color on dark pages"])

@@ -101,9 +101,10 @@ def curve(points, color=INK, width=1.8, dash=""):
 
 def text(x, y, words, color=INK, anchor="middle", style="", size=15):
     """Words; `w_o` in them becomes an omega with the subscript o, and so on: w, t
-    and e are omega, theta and eta, other letters stay."""
+    and e are omega, theta and eta, other letters stay. An index is one letter, or
+    max."""
     words = re.sub(
-        r"\b([A-Za-z])_([A-Za-z0-9])",
+        r"\b([A-Za-z])_(max|[A-Za-z0-9])",
         lambda m: (
             f'{GREEK.get(m[1], m[1])}<tspan dy="0.36em" font-size="73%">{m[2]}</tspan>'
             '<tspan dy="-0.27em">\u200b</tspan>'

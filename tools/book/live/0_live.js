@@ -1,6 +1,6 @@
 // Interactive figures: a drawing with sliders. Each of the other files here
-// describes one, for the figure of its name. Without JavaScript the still picture
-// stays.
+// describes one, for the figure of its name. Without JavaScript, and on paper, the
+// still picture stays.
 const live = (() => {
   const described = {};
   document.addEventListener("DOMContentLoaded", () => {
@@ -40,7 +40,7 @@ const live = (() => {
     function update() {
       const { shapes, text } = draw(values);
       svg.innerHTML = shapes.join("");
-      says.textContent = text;
+      says.innerHTML = text;
       controls.forEach((one, i) => {
         if (inputs[i].type !== "range") return;
         inputs[i].value = values[one.name];
@@ -68,7 +68,6 @@ const live = (() => {
     // The arrow keys move sliders, and do not turn the pages.
     box.addEventListener("keydown", (event) => event.stopPropagation());
 
-    panel.querySelectorAll("img").forEach((image) => image.remove());
     panel.prepend(box);
     update();
   }
@@ -87,8 +86,11 @@ const shape = {
   dot: (x, y, kind = "ink", radius = 4) => `<circle cx="${x}" cy="${y}" r="${radius}" class="fill ${kind}"/>`,
   text: (x, y, words, kind = "ink", anchor = "middle") =>
     `<text x="${x}" y="${y}" text-anchor="${anchor}" class="fill ${kind}">${words}</text>`,
-  curve: (points, kind = "ink", more = "") =>
-    `<polyline points="${points.map((p) => p.map((c) => c.toFixed(1)).join(",")).join(" ")}" class="stroke ${kind}" fill="none" ${more}/>`,
+  curve: (points, kind = "ink", more = "") => `<polyline points="${listed(points)}" class="stroke ${kind}" fill="none" ${more}/>`,
+  polygon: (points, kind) => `<polygon points="${listed(points)}" class="fill ${kind}"/>`,
+  /** From one angle to another, around a point. */
+  arc: (x, y, radius, from, to, kind = "soft", more = "") =>
+    shape.curve(Array.from({ length: 49 }, (_, i) => polar(x, y, radius, from + ((to - from) * i) / 48)), kind, more),
   arrow(x1, y1, x2, y2, kind) {
     const length = Math.hypot(x2 - x1, y2 - y1), x = (x2 - x1) / length, y = (y2 - y1) / length;
     const side = (sign) => `${x2 - 11 * x + sign * 5 * y},${y2 - 11 * y - sign * 5 * x}`;
@@ -98,5 +100,10 @@ const shape = {
     );
   },
 };
+const listed = (points) => points.map((p) => p.map((c) => c.toFixed(1)).join(",")).join(" ");
 const degrees = (radians) => (radians * 180) / Math.PI;
 const radians = (angle) => (angle * Math.PI) / 180;
+/** A point at an angle in radians: 0 is to the right, and up is positive. */
+const polar = (x, y, radius, angle) => [x + radius * Math.cos(angle), y - radius * Math.sin(angle)];
+/** A letter with its index, as in the still drawings. */
+const indexed = (letter, index) => `${letter}<tspan dy="0.36em" font-size="73%">${index}</tspan>`;

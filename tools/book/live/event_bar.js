@@ -23,7 +23,7 @@ live("event-bar", {
     for (const [name, k, kind] of events) {
       const p = scale * k;
       shapes.push(shape.area(x + width * from, y, width * p, height, kind));
-      if (p > 0.11) shapes.push(shape.text(x + width * (from + p / 2), y + 28, name));
+      if (width * p > 9 * name.length) shapes.push(shape.text(x + width * (from + p / 2), y + 28, name));
       if (p > 0.05) shapes.push(shape.text(x + width * (from + p / 2), y + height + 20, p.toFixed(2), "soft"));
       if (!picked && xi < from + p) picked = [name, k, p];
       from += p;
@@ -31,7 +31,7 @@ live("event-bar", {
     }
     if (1 - from > 0.18) shapes.push(shape.text(x + width * (from + 1) / 2, y + 28, "absorbed", "soft"));
     shapes.push(`<rect x="${x}" y="${y}" width="${width}" height="${height}" class="stroke ink" fill="none"/>`);
-    shapes.push(shape.arrow(x + width * xi, 20, x + width * xi, y - 2, "warm"), shape.text(x + width * xi, 14, "ξ", "warm"));
+    shapes.push(shape.arrow(x + width * xi, 23, x + width * xi, y - 2, "warm"), shape.text(x + width * xi, 17, "ξ", "warm"));
     let text = picked
       ? `ξ = ${xi.toFixed(3)} picks the ${picked[0]} event. Its probability is ${picked[2].toFixed(3)}, and k/p = ${(picked[1] / picked[2]).toFixed(3)}.`
       : `ξ = ${xi.toFixed(3)} picks absorption: the path ends. Its probability is ${(1 - from).toFixed(3)}.`;

@@ -22,13 +22,14 @@ live("inversion", {
       shape.arrow(x, py, Math.max(px, x + 1), py, "cool"),
       shape.arrow(px, Math.min(py, y - 1), px, y, "warm"),
       shape.dot(px, py),
-      shape.text(x - 10, y + 5, "0", "soft", "end"),
-      shape.text(x - 10, y - height + 6, "1", "soft", "end"),
       shape.text(x - 10, py + 5, "ξ", "cool", "end"),
       shape.text(px, y + 22, "θ", "warm"),
-      shape.text(x + width, y + 22, "90°", "soft"),
       shape.text(x + width - 4, y - height - 8, cosine ? "P(θ) = sin²θ" : "P(θ) = 1 − cos θ", "ink", "end"),
     );
+    // The ends of the axes, where they leave room.
+    if (xi > 0.08) shapes.push(shape.text(x - 10, y + 5, "0", "soft", "end"));
+    if (xi < 0.92) shapes.push(shape.text(x - 10, y - height + 6, "1", "soft", "end"));
+    if (px < x + width - 26) shapes.push(shape.text(x + width, y + 22, "90°", "soft"));
     const density = cosine ? 2 * Math.sin(theta) * Math.cos(theta) : Math.sin(theta);
     const text =
       `ξ = ${xi.toFixed(3)} leads to θ = ${degrees(theta).toFixed(1)}°, cos θ = ${Math.abs(Math.cos(theta)).toFixed(3)}. ` +

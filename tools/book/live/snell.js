@@ -17,8 +17,8 @@ live("snell", {
       shape.area(60, y, 400, 140, "glass"),
       shape.line(60, y, 460, y, "cool"),
       shape.dashed(x, 12, x, 288),
-      shape.text(70, y - 10, "air, η = 1", "soft", "start"),
-      shape.text(70, y + 24, `glass, η = ${eta.toFixed(2)}`, "soft", "start"),
+      shape.text(66, 24, "air, η = 1", "soft", "start"),
+      shape.text(66, 282, `glass, η = ${eta.toFixed(2)}`, "soft", "start"),
     ];
     const wo = at(-angle, down), mirrored = at(angle, down);
     let text = `ηₒ/ηᵢ = ${ratio.toFixed(3)}, sin θₒ = ${Math.sin(radians(angle)).toFixed(3)}. `;
@@ -33,7 +33,7 @@ live("snell", {
       text += `sin θᵢ would be ${sine.toFixed(3)}: no such direction, all is reflected.`;
     }
     if (inside && eta > 1) text += ` The critical angle is ${degrees(Math.asin(1 / eta)).toFixed(1)}°.`;
-    shapes.push(shape.arrow(x, y, ...wo, "cool"), shape.text(wo[0] - 16, wo[1] + 6 * down, "ωₒ", "cool"), shape.dot(x, y));
+    shapes.push(shape.arrow(x, y, ...wo, "cool"), shape.text(wo[0] - 16, wo[1] + 20 * Math.sin(radians(angle)) ** 2 * down, "ωₒ", "cool"), shape.dot(x, y));
     return { shapes, text };
   },
   drag(px, py, { inside }) {
