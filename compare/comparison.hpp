@@ -194,29 +194,15 @@ inline std::vector<RegionDifference> compare_regions(
 // $$S = \sum t^2 = \sum \frac{(a - b)^2}{v_a/n_a + v_b/n_b}$$
 //
 // Without an error the mean of $t^2$ is Student's, $\nu/(\nu - 2)$, and a
-// rare bright path makes no large $t$: its pixel's variance has it, too. But
-// the pixels that such a path has missed know nothing of it, so a pixel's
-// variance is at least the mean variance of its picture around it. A picture
-// of fewer samples misses more such paths, so there the larger variance counts
-// for both. A difference of the band adds its own square to $(a - b)^2$.
+// rare bright path makes no large $t$: its pixel's variance has it, too. A
+// picture of fewer samples misses more such paths, so there the larger
+// variance counts for both. A difference of the band adds its own square to
+// $(a - b)^2$.
 
 struct PixelSum {
   double times = 0;  ///< S over what noise makes; the worst channel's
   double z = 0;      ///< of S, a chi-squared sum (Wilson and Hilferty, 1931)
 };
-
-/// The mean of an image's channel over at most 17x17 of these squares, with the
-/// given one in their middle.
-inline double mean_around(const Image& image, const Region& square,
-                          int channel) {
-  const int reach = 8 * square.width;
-  const int left = std::max(0, square.left - reach);
-  const int top = std::max(0, square.top - reach);
-  const int right = std::min(image.width, square.left + square.width + reach);
-  const int bottom =
-      std::min(image.height, square.top + square.height + reach);
-  return mean_over(image, {left, top, right - left, bottom - top}, channel);
-}
 
 /// Of all pixels, or of squares of pixels that hold 64 samples.
 inline PixelSum sum_over_pixels(const RenderResult& test,
@@ -238,10 +224,8 @@ inline PixelSum sum_over_pixels(const RenderResult& test,
         const Region square{left, top, size, size};
         const double b = mean_over(image, square, c);
         const double d = std::abs(mean_over(test.radiance, square, c) - b);
-        double v_a = std::max(mean_over(test.variance, square, c),
-                              mean_around(test.variance, square, c));
-        double v_b = std::max(mean_over(reference.variance, square, c),
-                              mean_around(reference.variance, square, c));
+        double v_a = mean_over(test.variance, square, c);
+        double v_b = mean_over(reference.variance, square, c);
         if (n_a != n_b) v_a = v_b = std::max(v_a, v_b);
         const double variance = (v_a / n_a + v_b / n_b) / (size * size);
         const double band = bands.tile * b + bands.floor * whole;

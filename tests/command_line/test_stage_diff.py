@@ -64,6 +64,18 @@ class StageDiff(Pictures):
             )
             self.assertEqual(result.stderr, "")
 
+    def test_a_lamp_found_by_chance_is_the_same_as_one_that_is_sampled(self):
+        """As chapter 2 says, and in both orders: in some tiles no path finds the lamp."""
+        scene = programs.SCENES / "cornell_box_sphere_lamp_diffuse.toml"
+        options = ("--size", "128x128", "--spp", "64", "--max-bounces", "8")
+        for seed in (1, 3):
+            found = self.render("a.pfm", *options, "--seed", str(seed), scene=scene)
+            other = ("--seed", str(seed + 1))
+            sampled = self.render("b.pfm", *options, *other, scene=scene, stage="stage2")
+            for a, b in ((found, sampled), (sampled, found)):
+                result = self.diff(a, b, "--other-seeds")
+                self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
     def test_a_lamp_that_is_3_percent_darker(self):
         a = self.render("a.pfm", "--seed", "2", scene=self.changed("ke = 1", "ke = 0.97"))
         result = self.check_different(a, self.render("b.pfm"), "% too dark over the")
