@@ -34,9 +34,22 @@ const work = () => {
 };
 turn.port1.onmessage = work;
 
+/** What a C library may ask of a system, such as a place for an abort's last words:
+ * the box asks nothing, so to call one is an error. */
+const nothing = (module) => {
+  const system = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+    (system[from] ??= {})[name] = () => {
+      throw new Error(`the box has called ${name}`);
+    };
+  }
+  return system;
+};
+
 const orders = {
   start: ({ bytes }) => {
-    box = new WebAssembly.Instance(new WebAssembly.Module(bytes), {}).exports;
+    const module = new WebAssembly.Module(bytes);
+    box = new WebAssembly.Instance(module, nothing(module)).exports;
     box._initialize();
   },
   paint: (asked) => {
