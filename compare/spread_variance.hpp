@@ -39,16 +39,17 @@ inline void spread_variance(RenderResult& result) {
     }
   }
   for (int y = 0; y < height; ++y) {
-    const int top = std::max(0, y - reach), end = std::min(height, y + reach + 1);
+    const int top = std::max(0, y - reach),
+              end = std::min(height, y + reach + 1);
     for (int x = 0; x < width; ++x) {
       const int left = std::max(0, x - reach);
       const int right = std::min(width, x + reach + 1);
       const double pixels = (end - top) * (right - left);
       for (int c = 0; c < 3; ++c) {
         const auto i = static_cast<std::size_t>(c);
-        const double sum = sums[index(right, end)][i] -
-                           sums[index(left, end)][i] -
-                           sums[index(right, top)][i] + sums[index(left, top)][i];
+        const double sum =
+            sums[index(right, end)][i] - sums[index(left, end)][i] -
+            sums[index(right, top)][i] + sums[index(left, top)][i];
         float& own = result.variance.at(x, y)[c];
         own = std::max(own, static_cast<float>(sum / pixels));
       }
