@@ -159,14 +159,15 @@ bool same_bits(const RenderResult& a, const RenderResult& b) {
   return a.radiance.pixels == b.radiance.pixels && !is_quiet(b);
 }
 
-/// A remark on how noisy one sample of A is, if it is remarkable.
-std::string noise_of(const RenderResult& a, const RenderResult& b) {
+/// A remark on how noisy one sample of A is, if it is remarkable; `ratio` is
+/// its variance over B's.
+std::string noise_of(const RenderResult& a, const RenderResult& b,
+                     double ratio) {
   if (is_quiet(a)) {
     return is_quiet(b) ? ""
                        : "; A has no noise at all, do its random "
                          "numbers do anything?";
   }
-  const double ratio = variance_ratio(a, b);
   if (!std::isfinite(ratio) || (ratio < 1.5 && ratio > 0.6)) return "";
   return "; " + figure("%.2f", ratio) +
          " times the variance of the reference, sample for sample: " +
@@ -279,7 +280,7 @@ int compare(const std::string& a_path, const std::string& b_path,
       (pixels_same ? "" : "; its pixels are further off than their noise") +
       (same && same_bits(a, b)
            ? "; they are the same bits, is this one render twice?"
-           : noise_of(a, b));
+           : noise_of(a, b, ratio));
   if (!same && other_bounds(a.info, b.info)) {
     verdict += "; their bounds are " + std::to_string(a.info.max_bounces) +
                " and " + std::to_string(b.info.max_bounces) + " bounces";
@@ -307,8 +308,7 @@ int compare(const std::string& a_path, const std::string& b_path,
   std::printf("RMSE %s   relative MSE %s\n",
               figure("%.4g", totals.rmse).c_str(),
               figure("%.4g", totals.relative_mse).c_str());
-  std::printf("variance A/B %s\n",
-              figure("%.3f", variance_ratio(a, b)).c_str());
+  std::printf("variance A/B %s\n", figure("%.3f", ratio).c_str());
   std::printf("largest z %s of %zu regions, at %s; %.2f would differ\n",
               std::isfinite(worst.z) ? figure("%.2f", worst.z).c_str()
                                      : "beyond measure (there is no noise)",

@@ -95,6 +95,11 @@ def built_stages():
     return sorted(path.name for path in BUILD.glob("stage[1-9]"))
 
 
+def program_path(name):
+    """Where the build puts a program."""
+    return BUILD / (f"{name}.exe" if os.name == "nt" else name)
+
+
 def run(program, *arguments, folder=None, **options):
     """Runs a program to its end, and captures its output as text."""
     return subprocess.run(

@@ -8,8 +8,6 @@ from tools.weave import drawing as d
 from tools.weave import measured
 from tools.weave.renders import Render
 
-EQUAL_TIME = ROOT / "tools/bench/measured/equal_time.toml"
-
 
 def lot(x, width, height, name, label, fill, color):
     """An outcome: as wide as its probability, as high as its result."""
@@ -161,7 +159,7 @@ def equal_time():
     """The table that tools/bench/equal_time.py has measured."""
     rows = [("bounces", "rays, 3", "rays, 4", "time", "variance", "gain", "light cut")]
     fills = []
-    for number, row in enumerate(tomllib.loads(EQUAL_TIME.read_text())["row"], 1):
+    for number, row in enumerate(tomllib.loads(measured.stored("equal_time.toml"))["row"], 1):
         time = row["microseconds3"] / row["microseconds4"]
         noise = row["variance4"] / row["variance3"]
         rows.append(

@@ -4,7 +4,7 @@ const assert = require("node:assert/strict");
 const { execFileSync } = require("node:child_process");
 const fs = require("node:fs");
 const { after, before, test } = require("node:test");
-const { build, launch, root, url, watched } = require("./browser.cjs");
+const { build, launch, noBox, root, url, watched } = require("./browser.cjs");
 
 let browser;
 before(async () => (browser = await launch()));
@@ -15,8 +15,6 @@ async function settled(page) {
   await page.addStyleTag({ content: "html { scroll-behavior: auto !important }" });
   await page.evaluate(() => document.fonts.ready);
 }
-
-const noBox = fs.existsSync(`${build}/book/_static/lab-module.js`) ? false : "NOT TESTED: tools/setup.sh site";
 
 /** A figure with the box in it, once it paints. */
 async function openedBox(chapter, name, options) {

@@ -61,6 +61,26 @@ function files(folder, suffix) {
     .sort();
 }
 
+/** The reason to skip tests of the live box, or false. */
+const noBox = fs.existsSync(`${build}/book/_static/lab-module.js`) ? false : "NOT TESTED: tools/setup.sh site";
+
+/** What is wrong with a drawing's labels: smaller than the text, outside, or on each
+ * other. Runs in a page; `scale` is the drawing's on pages. */
+function wrongLabels(svg, scale) {
+  const { width, height } = svg.viewBox.baseVal;
+  const labels = [...svg.querySelectorAll("text")].map((e) => ({
+    text: e.textContent, size: scale * parseFloat(getComputedStyle(e).fontSize), box: e.getBBox(),
+  }));
+  const overlap = (a, b) =>
+    Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x) > 1 &&
+    Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y) > 5;
+  return labels.flatMap(({ text, size, box }, i) => [
+    ...(box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height ? [`outside: ${text}`] : []),
+    ...(size < 15.99 ? [`small: ${text}`] : []),
+    ...labels.slice(0, i).filter((other) => overlap(box, other.box)).map((other) => `on each other: ${text}, ${other.text}`),
+  ]);
+}
+
 const url = (name) => pathToFileURL(`${build}/${name}`).href;
 
-module.exports = { build, files, launch, root, url, watched };
+module.exports = { build, files, launch, noBox, root, url, watched, wrongLabels };

@@ -2,7 +2,7 @@
 // and without scripts the still picture is there.
 const assert = require("node:assert/strict");
 const { after, before, test } = require("node:test");
-const { launch, url, watched } = require("./browser.cjs");
+const { launch, url, watched, wrongLabels } = require("./browser.cjs");
 
 let browser;
 before(async () => {
@@ -130,24 +130,15 @@ test("the lamp's cone: its angle, the direction, and the first point on the sphe
 test("labels are as large as the text, inside, and apart, wherever the sliders are", async () => {
   for (const name of Object.keys(figures)) {
     const { page, live } = await figure(name);
+    await page.evaluate(`window.wrongLabels = ${wrongLabels}`);
     const wrong = await live.evaluate((box) => {
-      const svg = box.querySelector("svg"), { width, height } = svg.viewBox.baseVal;
-      const scale = svg.getBoundingClientRect().width / width;
+      const svg = box.querySelector("svg");
+      const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
       const inputs = [...box.querySelectorAll("input")];
-      const overlap = (a, b) =>
-        Math.min(a.x + a.width, b.x + b.width) - Math.max(a.x, b.x) > 1 &&
-        Math.min(a.y + a.height, b.y + b.height) - Math.max(a.y, b.y) > 5;
       const found = new Map();
       const look = () => {
-        const labels = [...svg.querySelectorAll("text")].map((e) => ({
-          text: e.textContent, size: scale * parseFloat(getComputedStyle(e).fontSize), box: e.getBBox(),
-        }));
         const where = inputs.map((input) => (input.type === "checkbox" ? input.checked : input.value)).join(" ");
-        labels.forEach(({ text, size, box }, i) => {
-          if (size < 15.99) found.set(`small: ${text}`, where);
-          if (box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height) found.set(`outside: ${text}`, where);
-          for (const other of labels.slice(0, i)) if (overlap(box, other.box)) found.set(`on each other: ${text}, ${other.text}`, where);
-        });
+        for (const what of window.wrongLabels(svg, scale)) found.set(what, where);
       };
       // The fewer the sliders, the closer are the places that are tried.
       const steps = [40, 16, 6, 4][inputs.filter((input) => input.type === "range").length - 1];

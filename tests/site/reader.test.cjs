@@ -1,17 +1,14 @@
 // What a reader meets first: the box that paints itself, the section in the header of
 // a laptop's page, and exercises whose code is theirs to write.
 const assert = require("node:assert/strict");
-const fs = require("node:fs");
 const { after, before, test } = require("node:test");
-const { build, launch, url, watched } = require("./browser.cjs");
+const { launch, noBox, url, watched } = require("./browser.cjs");
 
 const laptop = { viewport: { width: 1366, height: 768 } };
 const chapter = "book/stages/2_next_event.html";
 let browser;
 before(async () => (browser = await launch()));
 after(() => browser?.close());
-
-const noBox = fs.existsSync(`${build}/book/_static/lab-module.js`) ? false : "NOT TESTED: tools/setup.sh site";
 
 test("the front page paints the box, and shows the path under the pointer", { skip: noBox }, async () => {
   const page = await watched(browser, laptop);

@@ -15,8 +15,7 @@ from statistics import median
 
 from tools.bench.machine import machine
 from tools.tree import BUILD, ROOT, Failure
-
-FOLDER = ROOT / "tools/bench/measured"
+from tools.weave.measured import FOLDER, table
 
 
 def commit_at(time):
@@ -30,10 +29,6 @@ def commit_at(time):
     return f"commit {asked.stdout.strip()}" if asked.returncode == 0 else "no commit"
 
 
-def table(path):
-    return [line for line in path.read_text().split("\n") if line.startswith("|")]
-
-
 def with_unit(x, unit):
     for factor, prefix in ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ")):
         if x >= factor:
@@ -41,11 +36,11 @@ def with_unit(x, unit):
     return f"{x / 1e-9:.3g} n{unit}"
 
 
-def benchmarks(path):
+def benchmarks(text):
     """The medians of a Google Benchmark run, as a table."""
     scale = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
     runs = {}
-    for run in json.loads(path.read_text())["benchmarks"]:
+    for run in json.loads(text)["benchmarks"]:
         if run["run_type"] == "iteration" and "error_occurred" not in run:
             runs.setdefault(run["run_name"], []).append(run)
     lines = ["| benchmark | median | in a second |", "|---|---|---|"]
@@ -73,7 +68,7 @@ def main():
         ("benchmarks.md", "make bench", BUILD / "bench.json", benchmarks),
         ("peers.md", "make bench-peers", BUILD / "peers.md", table),
     ):
-        keep(name, command, source, lines(source))
+        keep(name, command, source, lines(source.read_text()))
     shutil.copy(BUILD / "convergence.svg", FOLDER / "convergence.svg")
 
 

@@ -1,6 +1,8 @@
-"""The whole book as one PDF, for paper: the chapters one after the other.
+"""The whole book as one PDF, for paper: `make book-pdf`.
 
-python3 -m tools.book.pdf     build/book/lightwalk.pdf, from the built book
+    python3 -m tools.book.pdf     build/book/lightwalk.pdf
+
+The chapters one after the other, from the built book.
 """
 
 import re
@@ -8,25 +10,24 @@ import shutil
 import subprocess
 import sys
 
+from tools.book.built import article_of, glyphs_of, without_links
 from tools.book.page import page_of
 from tools.exercises.sheet import title_of
 from tools.tree import BUILD, ROOT, Failure, stage_headers
 
 BOOK, PRINT = BUILD / "book", BUILD / "book-print"
 HEAD = re.compile(r"<head>.*?</head>", re.S)
-ARTICLE = re.compile(r"<article.*?</article>", re.S)
-GLYPHS = re.compile(r'<svg[^>]*id="MJX-SVG-global-cache".*?</svg>', re.S)
-LINK = re.compile(r'<a\b[^>]*\bhref="([^"]*)"[^>]*>(.*?)</a>', re.S)
+HEADER_LINK = re.compile(r'<a class="headerlink".*?</a>', re.S)
 TITLE = """\
 <section style="break-after: page"><h1>Lightwalk</h1>
 <p><em>A course in path tracing that you can compile.</em></p><ol>{contents}</ol></section>
 """
 
 
-def without_links(text):
-    """Paper has no links but those to papers: others would name this machine."""
-    text = re.sub(r'<a class="headerlink".*?</a>|<p class="deck">.*?</p>', "", text, flags=re.S)
-    return LINK.sub(lambda link: link[0] if link[1].startswith("https:") else link[2], text)
+def for_paper(page):
+    """A chapter without links, but for those to papers: others would name this machine."""
+    article = HEADER_LINK.sub("", article_of(page))
+    return without_links(article, lambda address: address.startswith("https:"), str)
 
 
 def whole_book():
@@ -36,8 +37,7 @@ def whole_book():
     contents = "".join(f"<li>{title_of(header).split(': ', 1)[1]}</li>" for header in stage_headers())
     body = TITLE.format(contents=contents)
     for text in texts:
-        article = without_links(ARTICLE.search(text)[0])
-        body += f'<div style="break-before: page">{article}</div>' + "".join(GLYPHS.findall(text))
+        body += f'<div style="break-before: page">{for_paper(text)}</div>{glyphs_of(text)}'
     return f'<!doctype html><html lang="en">{head}<body><main class="content">{body}</main></body></html>'
 
 

@@ -121,10 +121,9 @@ def built(stage, header):
 
 
 def list_of(verdict):
-    late = verdict.late.number if verdict.late else ""
     for one in verdict.exercises:
         state = f"not run: needs {one.needs}" if one.state == "waits" else one.state
-        state = "wrong in the whole stage" if one.number == late else state
+        state = "wrong in the whole stage" if verdict.is_late(one) else state
         yield f"  {one.number:5}{one.title:44}{state}"
 
 
@@ -170,10 +169,8 @@ def check(stage, watched=False):
     if warnings is None:
         return None
     verdict = judge(stage, header)
-    late = verdict.late.number if verdict.late else ""
-    done = sum(one.state == "done" and one.number != late for one in verdict.exercises)
     points = f"{verdict.points} of {verdict.out_of} points"
-    print(f"{title_of(header)}  [{done}/{len(verdict.exercises)}, {points}]\n")
+    print(f"{title_of(header)}  [{len(verdict.done)}/{len(verdict.exercises)}, {points}]\n")
     print("\n".join(list_of(verdict)) + "\n")
     if warnings:
         print(warnings + "\n")

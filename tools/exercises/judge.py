@@ -14,7 +14,7 @@ import time
 from tests.runner import report, suite
 from tools.exercises.marks import marks
 from tools.exercises.sheet import read_tasks
-from tools.tree import BUILD, ROOT, exact_tests_filter, stage_headers, tests_filter, text_of
+from tools.tree import ROOT, exact_tests_filter, program_path, stage_headers, tests_filter, text_of
 
 LOOP = "path loop (given)"
 
@@ -58,10 +58,18 @@ class Verdict:
         """What to work at: the first exercise that is wrong or open."""
         return next((one for one in self.exercises if one.state in ("wrong", "open")), self.late)
 
+    def is_late(self, one):
+        """Whether the whole stage speaks of this exercise, which passes its own tests."""
+        return self.late is not None and one.number == self.late.number
+
+    @property
+    def done(self):
+        """The exercises that are right, in the whole stage too."""
+        return [one for one in self.exercises if one.state == "done" and not self.is_late(one)]
+
     @property
     def points(self):
-        lost = self.late.number if self.late else ""
-        return sum(one.points for one in self.exercises if one.number != lost)
+        return sum(one.points for one in self.done)
 
     @property
     def out_of(self):
@@ -69,8 +77,7 @@ class Verdict:
 
 
 def run_suite(stage, *options):
-    suffix = ".exe" if os.name == "nt" else ""
-    return suite.run_by_kinds(BUILD / f"stage{stage}_tests{suffix}", *options, first_only=True)
+    return suite.run_by_kinds(program_path(f"stage{stage}_tests"), *options, first_only=True)
 
 
 def explained(outcome):

@@ -4,7 +4,6 @@ differ: three pictures in one file.
     python3 -m tools.exercises.picture STAGE
 """
 
-import os
 import signal
 import struct
 import subprocess
@@ -14,7 +13,7 @@ import zlib
 
 from tests.runner import watch
 from tools.exercises.compiler import build
-from tools.tree import BUILD, ROOT, read_pfm
+from tools.tree import BUILD, ROOT, program_path, read_pfm
 
 WIDTH = 200  # of each picture at least, in pixels
 GAP = 4
@@ -78,8 +77,8 @@ def main(stage):
     golden = next((one for one in goldens if one["stage"] == stage), None)
     if not golden:
         return
-    suffix = ".exe" if os.name == "nt" else ""
-    if not (BUILD / f"stage{stage}{suffix}").exists():
+    program = program_path(f"stage{stage}")
+    if not program.exists():
         print("\nThe program is compiled for the first time, for your picture.", flush=True)
     if not build(f"stage{stage}")[1]:
         return
@@ -88,7 +87,7 @@ def main(stage):
     folder = BUILD / "pictures"
     folder.mkdir(parents=True, exist_ok=True)
     mine, target = folder / "mine.pfm", folder / f"stage{stage}_compared.png"
-    command = [BUILD / f"stage{stage}", ROOT / f"scenes/{scene}.toml", "-o", mine, "--quiet"]
+    command = [program, ROOT / f"scenes/{scene}.toml", "-o", mine, "--quiet"]
     command += ["--size", f"{expected[0]}x{expected[1]}", "--spp", "64"]
     command += ["--max-bounces", str(golden["max_bounces"])] if "max_bounces" in golden else []
     quiet = {name: subprocess.DEVNULL for name in ("stdin", "stdout", "stderr")}

@@ -356,7 +356,11 @@ class Pictures(unittest.TestCase):
             make_endless(Path(folder) / "stage1")
             with (
                 mock.patch.multiple(
-                    picture, BUILD=Path(folder), build=lambda target: ("", True), SECONDS=0.2
+                    picture,
+                    BUILD=Path(folder),
+                    program_path=lambda name: Path(folder) / name,
+                    build=lambda target: ("", True),
+                    SECONDS=0.2,
                 ),
                 contextlib.redirect_stdout(io.StringIO()) as said,
             ):

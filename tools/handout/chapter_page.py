@@ -6,6 +6,7 @@ import difflib
 import mimetypes
 import re
 
+from tools.book.built import article_of, glyphs_of, without_links
 from tools.exercises.sheet import title_of
 from tools.tree import BUILD, stage_headers, text_of
 
@@ -34,7 +35,6 @@ SOLUTION = re.compile(
     re.S,
 )
 FOLDED = r"<details[^>]*>\s*<summary[^>]*>\s*<span[^>]*>{}(?:(?!</details>).)*</details>"
-LINK = re.compile(r'<a\b[^>]*\bhref="([^"]*)"[^>]*>(.*?)</a>', re.S)
 STYLE = re.compile(r'<link rel="stylesheet"[^>]*href="\.\./_static/([^"?]+)')
 FONT = re.compile(r"url\(\./files/([\w.-]+)\)")
 SCRIPTS = ("live.js", "viewer.js")
@@ -58,15 +58,9 @@ def without_solutions(article):
     return commands.sub(lambda found: "" if "tools.weave" in found[0] else found[0], article)
 
 
-def without_links(article):
-    """Keeps only links within the page and to papers."""
-
-    def text(match):
-        address, words = match.groups()
-        return match[0] if address.startswith(("#", "https:")) else f"<span>{words}</span>"
-
-    article = re.sub(r'<p[^>]*>\s*<a[^>]*href="[^"]*slides/[^"]*"[^>]*>.*?</a>\s*</p>', "", article)
-    return LINK.sub(text, article)
+def is_here(address):
+    """Within the page, or a paper's."""
+    return address.startswith(("#", "https:"))
 
 
 def data_of(path):
@@ -121,13 +115,12 @@ def chapter_page(header, handed_out):
     if not source:
         return {}
     text = source.read_text(encoding="utf-8")
-    article = text[text.index("<article") : text.index("</article>") + len("</article>")]
-    article = with_lines_of(handed_out, without_links(without_solutions(article)), header)
+    article = without_links(without_solutions(article_of(text)), is_here, "<span>{}</span>".format)
+    article = with_lines_of(handed_out, article, header)
     article = article.replace("</h1>", "</h1>\n" + table_of_contents(article, header), 1)
     article = re.sub(
         r'src="\.\./_images/([^"]+)"', lambda image: f'src="{data_of(BOOK / "_images" / image[1])}"', article
     )
-    glyphs = re.search(r'<svg[^>]*id="MJX-SVG-global-cache".*?</svg>', text, re.S)
     styles = [style_sheet(name) for name in STYLE.findall(text)]
     styles += re.findall(r"<style>(.*?)</style>", text, re.S)  # the theme's
     scripts = [(BOOK / "_static" / name).read_text(encoding="utf-8") for name in SCRIPTS]
@@ -135,7 +128,7 @@ def chapter_page(header, handed_out):
         title=title_of(header),
         styles="\n".join(styles),
         article=article,
-        glyphs=glyphs[0] if glyphs else "",
+        glyphs=glyphs_of(text),
         scripts="\n".join(scripts),
     )
     return {"chapter.html": page.encode()}

@@ -127,7 +127,8 @@ def main():
     for deck in every:
         deck.check()
         (source / f"{deck.name}.md").write_text(woven(deck, figures, course))
-    sessions = [one for _, of_plan in plans(every) for one in of_plan]
+    of_plans = plans(every)
+    sessions = [one for _, of_plan in of_plans for one in of_plan]
     for one in sessions:
         (source / f"{one.name}.md").write_text(woven(one, figures, course))
     check_formulas([formula for deck in every for slide in deck.slides
@@ -155,7 +156,7 @@ def main():
         path.write_text(without_links(path.read_text()))
     marp(printed, "--pdf", "--pdf-notes", "--allow-local-files", "--pdf-outlines",
          "--pdf-outlines.pages=false")
-    (made / "index.html").write_text(index_page(every))
+    (made / "index.html").write_text(index_page(every, of_plans))
     check_offline(made)
     for line in unfilled():
         print(f"slides: slides/course.toml has no value yet for: {line}")

@@ -3,8 +3,6 @@
 from html import escape
 from pathlib import Path
 
-from tools.slides.plans import plans
-
 
 def deck_row(deck):
     return (
@@ -56,8 +54,8 @@ def title(tex):
     return text
 
 
-def index_page(every):
+def index_page(every, of_plans):
     text = Path(__file__).with_name("index.html").read_text()
     rows = "\n".join(map(deck_row, every))
-    text = text.replace("{plans}", "\n".join(plan_section(*one) for one in plans(every)))
+    text = text.replace("{plans}", "\n".join(plan_section(*one) for one in of_plans))
     return text.replace("{decks}", rows)

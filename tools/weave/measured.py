@@ -1,8 +1,8 @@
 """What `make measured` has stored, for pages, slides and drawings: no sentence has a
 number of its own.
 
-In a page or a slide `{more variance of uniform or cosine}` becomes how many times as
-much of a column the first estimator has as the second.
+In a slide `{more variance of uniform or cosine}` becomes how many times as much the
+first estimator has as the second.
 """
 
 import re
@@ -10,15 +10,25 @@ import re
 from tools.tree import ROOT, Failure
 
 FOLDER = ROOT / "tools/bench/measured"
-RATIO = re.compile(r"\{more (variance|time) of (.+?)\}")
+RATIO = re.compile(r"\{more variance of (.+?)\}")
 
 
-def rows(name):
-    """The rows of a table: dictionaries by the heads of its columns."""
+def stored(name):
+    """The text of a stored file."""
     path = FOLDER / name
     if not path.exists():
         raise Failure(f"tools/bench/measured/{name} is not there: `make measured` writes it")
-    lines = [line for line in path.read_text().split("\n") if line.startswith("|")]
+    return path.read_text()
+
+
+def table(text):
+    """The lines of the table in a text."""
+    return [line for line in text.split("\n") if line.startswith("|")]
+
+
+def rows(name):
+    """The rows of a stored table: dictionaries by the heads of its columns."""
+    lines = table(stored(name))
     head, _, *body = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
     # Of two columns of one name the first counts.
     return [dict(reversed(list(zip(head, cells)))) for cells in body]
@@ -38,12 +48,12 @@ def two_digits(x):
 
 def with_ratios(text, where):
     """The text with its ratios worked out."""
-    column = {"variance": "variance of a sample", "time": "µs per sample"}
 
     def ratio(match):
-        if match[2] not in pairs():
-            raise Failure(f"{where}: efficiency.md has no question '{match[2]}'")
-        first, second = (float(row[column[match[1]]]) for row in pairs()[match[2]])
+        known = pairs()
+        if match[1] not in known:
+            raise Failure(f"{where}: efficiency.md has no question '{match[1]}'")
+        first, second = (float(row["variance of a sample"]) for row in known[match[1]])
         return two_digits(first / second)
 
     return RATIO.sub(ratio, text)
