@@ -547,8 +547,8 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 //
 // In the box under the point light, about one path in five ends at each
 // step. Suppose that its lane stayed empty until all 16 have ended. Soon
-// most lanes would be empty, and all would wait for the longest path. In the
-// upper half of the figure nearly two thirds of the lanes do nothing.
+// most lanes would be empty, and all would wait for the longest path. Without
+// a refill nearly two thirds of the lanes do nothing, as the figure shows.
 //
 // ![](idle-lanes)
 //
