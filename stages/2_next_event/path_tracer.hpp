@@ -36,7 +36,7 @@
 //
 // Put this sum into the rendering equation. An integral of a sum is a sum of
 // integrals. So the light that $x$ scatters has two parts. Inside the
-// integrals, $L_e$ and $L_s$ are taken at $y$, towards $x$:
+// integrals, $L_e$ and $L_s$ are taken at $y$, toward $x$:
 //
 // $$L_s(x, \omega_o) =
 // \textcolor[RGB]{194,90,34}{\underbrace{\int_\Omega L_e\,f_r
@@ -48,7 +48,7 @@
 //
 // Now each part can have its own *estimator*, the one that suits it:
 //
-// - **Direct light.** $L_e$ is 0 except towards the lights. So choose only
+// - **Direct light.** $L_e$ is 0 except toward the lights. So choose only
 //   directions that lead to a light.
 // - **Indirect light.** $L_s$ can come from anywhere. So choose a direction
 //   as in stage 1, and go on.
@@ -70,7 +70,7 @@ using stage1::sample;
 
 // ## What a light answers
 //
-// To ask a light is to draw one direction $\omega$ towards it, with a density
+// To ask a light is to draw one direction $\omega$ toward it, with a density
 // $p(\omega)$ per solid angle. The Monte Carlo estimate of the direct light
 // is then the integrand over the density:
 //
@@ -390,7 +390,7 @@ inline LightSample sample_light(const Light& light, const Vec3& x,
       [&](const auto& form) { return sample_light(form, x, u); }, light.form);
 }
 
-/// Radiance towards `wo` that the lights cause here by themselves.
+/// Radiance toward `wo` that the lights cause here by themselves.
 inline Vec3 direct_light(const Scene& scene, const Surface& surface,
                          Random& random) {
   // #region exercise 2.4: direct light

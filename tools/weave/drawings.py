@@ -9,7 +9,7 @@ from tools.weave import drawing as d
 from tools.weave import measured
 
 BOX = "scenes/cornell_box_point.toml"
-OPENING = -1  # the box is open towards -z; it is drawn up to here
+OPENING = -1  # the box is open toward -z; it is drawn up to here
 
 
 @d.diagram("two-densities", 520, 300)
