@@ -134,6 +134,7 @@ test("lanes: without a refill all wait for the longest path, and with it all wor
   const paths = () => live.evaluate((box) => [...box.querySelectorAll("svg rect.fill")].map((e) =>
     [(e.x.baseVal.value - 8) / 12, Math.round((e.width.baseVal.value + 1) / 12)]));
   const sum = (all) => all.reduce((a, [, steps]) => a + steps, 0);
+  await slider("steps").fill("42");
   const alone = await paths();
   for (const [first] of alone) assert.equal(alone.filter(([other]) => other === first).length, 16, `${first}`);
   const share = Math.round((100 * sum(alone)) / (16 * 42));

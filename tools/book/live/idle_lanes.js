@@ -3,7 +3,7 @@ live("idle-lanes", {
   size: [520, 250],
   hint: "Drag over the lanes, or move the sliders.",
   controls: [
-    { name: "step", label: "steps", min: 1, max: 42, step: 1, value: 42, digits: 0 },
+    { name: "step", label: "steps", min: 1, max: 42, step: 1, value: 30, digits: 0 },
     { name: "chance", label: "chance to end", min: 0.05, max: 0.5, step: 0.05, value: 0.2 },
     { name: "refill", label: "refill each lane at once", value: false },
   ],
