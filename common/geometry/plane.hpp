@@ -4,7 +4,7 @@
 //
 // A plane is every $x$ with $n \cdot x + d = 0$, for a unit normal $n$. So
 // $n = (1, 0, 0)$ with $d = 1$ is the wall at $x = -1$, facing right. Planes
-// have no edge: the box made of five of them is a corridor, open towards -z.
+// have no edge: the box made of five of them is a corridor, open toward -z.
 //
 // Along the ray $o + t\omega$ the left side is $n \cdot o + d + t\,(n \cdot
 // \omega)$, which is zero at $t = -(n \cdot o + d) / (n \cdot \omega)$. A ray

@@ -69,15 +69,15 @@ def globe(column, row, width=512, height=256):
     z = math.cos(latitude) * math.cos(longitude)
     land = fractal(1.7 * x + 11, 1.7 * y + 7, 1.7 * z + 5)
     if land > 0.5:
-        colour = mix([0.35, 0.55, 0.25], [0.7, 0.6, 0.4], min(1, (land - 0.5) * 7))
+        color = mix([0.35, 0.55, 0.25], [0.7, 0.6, 0.4], min(1, (land - 0.5) * 7))
     else:
-        colour = mix([0.15, 0.35, 0.65], [0.05, 0.15, 0.4], min(1, (0.5 - land) * 5))
+        color = mix([0.15, 0.35, 0.65], [0.05, 0.15, 0.4], min(1, (0.5 - land) * 5))
     if abs(y) + 0.25 * (land - 0.5) > 0.93:
-        colour = [0.92, 0.94, 0.96]
+        color = [0.92, 0.94, 0.96]
     degrees = (column + 0.5) / width * 360, (row + 0.5) / height * 180
     if any(abs((d + 15) % 30 - 15) < 0.4 for d in degrees):
-        colour = mix(colour, [0.9, 0.9, 0.85], 0.6)
-    return colour
+        color = mix(color, [0.9, 0.9, 0.85], 0.6)
+    return color
 
 
 def marble(column, row, size=256):

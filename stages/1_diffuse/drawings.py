@@ -190,13 +190,13 @@ def malley():
     yield d.text(x, 272, "lifted onto the hemisphere", d.WARM)
 
 
-@d.diagram("acne", 520, 230)
+@d.diagram("acne", 520, 200)
 def acne():
     """A ray whose origin was rounded to below the surface."""
     for x, depth, name in ((130, 0, "on the surface"), (390, 26, "rounded to below it")):
-        y = 140
+        y = 112
         yield from d.hatched(x - 110, y, x + 110, y)
-        yield d.dashed(x - 104, 40, x - 30, y + depth - 4, d.COOL)
+        yield d.dashed(x - 104, 12, x - 30, y + depth - 4, d.COOL)
         yield from d.arrow(
             x - 30, y + depth, *d.polar(x - 30, y + depth, 62, 64 if depth else 120), "", d.WARM
         )
@@ -204,7 +204,7 @@ def acne():
         if depth:
             yield d.circle(x - 30 + depth * math.tan(math.radians(62)), y, 6, "none", d.RED)
             yield d.text(x + 34, y - 16, "hit again", d.RED, "start")
-        yield d.text(x, 214, name)
+        yield d.text(x, 186, name)
 
 
 @d.diagram("lamp-front", 520, 240)

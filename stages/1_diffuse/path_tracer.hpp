@@ -5,7 +5,7 @@
 // A room has a lamp and several walls. A pixel of the picture shows a small
 // patch of a wall. Take one point of this patch: what color is it?
 //
-// Its color is the light that leaves this point towards the camera. The wall
+// Its color is the light that leaves this point toward the camera. The wall
 // has no light of its own, so its light came from somewhere else. Some came
 // straight from the lamp. The rest came from other walls, and how bright they
 // are depends on *their* surroundings.
@@ -34,7 +34,7 @@
 // on a sphere of radius 1, in *steradians* (sr). The whole hemisphere above
 // a surface has the solid angle $2\pi$.
 //
-// The *rendering equation* says which radiance leaves $x$ towards $\omega_o$
+// The *rendering equation* says which radiance leaves $x$ toward $\omega_o$
 // (slide "Which color do we fill each pixel with?"):
 //
 // $$L_o(x, \omega_o) = L_e(x, \omega_o) + \int_\Omega L_i(x, \omega_i)\,
@@ -44,7 +44,7 @@
 // - $L_e$ is what the surface emits by itself. Only lamps have it.
 // - $L_i$ is the radiance that arrives at $x$ from the direction $\omega_i$.
 // - $f_r$ is the *BRDF*, the bidirectional reflectance distribution function.
-//   It says how much of the light from $\omega_i$ leaves towards $\omega_o$.
+//   It says how much of the light from $\omega_i$ leaves toward $\omega_o$.
 // - $|n \cdot \omega_i|$ is $\cos\theta$. Light that comes in at a slant is
 //   spread over more area.
 // - The integral adds up the directions of the hemisphere $\Omega$ above the
@@ -436,7 +436,7 @@ inline BsdfSample sample(const Surface& surface, Sampling sampling,
 // ![](lamp-front)
 
 // #region emitted
-/// Radiance that the surface emits towards `surface.wo`.
+/// Radiance that the surface emits toward `surface.wo`.
 inline Vec3 emitted(const Surface& surface) {
   const bool front = dot(surface.hit.normal, surface.wo) > 0;
   return front ? surface.material.ke : Vec3(0);

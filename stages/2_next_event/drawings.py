@@ -130,8 +130,8 @@ def area_to_angle():
     """A patch of a lamp, turned to face x, and its projection on a sphere."""
     x, y, r = 150, 285, 105
     px, py, half, tilt = 405, 90, 50, 40  # the patch, and how it is tilted
-    towards = math.degrees(math.atan2(px - x, y - py))
-    u = math.radians(90 + towards - tilt)  # along the patch, from straight up
+    toward = math.degrees(math.atan2(px - x, y - py))
+    u = math.radians(90 + toward - tilt)  # along the patch, from straight up
     ends = [(px + s * half * math.sin(u), py - s * half * math.cos(u)) for s in (-1, 1)]
     yield d.line(20, y, 340, y, d.INK, 2)
     (ax, ay), (bx, by) = ends
@@ -139,17 +139,17 @@ def area_to_angle():
     yield d.curve([d.polar(x, y, a, r) for a in range(-90, 91, 3)], d.SOFT, 1.2, "4 3")
     seen = [math.degrees(math.atan2(ex - x, y - ey)) for ex, ey in ends]
     yield d.curve([d.polar(x, y, seen[0] + (seen[1] - seen[0]) * i / 12, r) for i in range(13)], d.COOL, 6)
-    yield d.text(*d.polar(x, y, towards - 22, r + 12), "dω", d.COOL, "middle", "italic")
+    yield d.text(*d.polar(x, y, toward - 22, r + 12), "dω", d.COOL, "middle", "italic")
     yield d.line(ax, ay, bx, by, d.WARM, 6)
     yield d.symbol(bx + 18, by + 8, "dA", d.WARM, "start")
-    face = math.radians(90 + towards)
+    face = math.radians(90 + toward)
     h = half * math.cos(math.radians(tilt))
     cx, cy = [(px + s * h * math.sin(face), py - s * h * math.cos(face)) for s in (-1, 1)]
     yield d.line(*cx, *cy, d.GREEN, 3, False, "6 4")
     yield d.symbol(cx[0] - 8, cx[1] - 12, "cos θ′ dA", d.GREEN, "middle")
     yield d.dashed(x, y, px, py, d.INK)
     yield d.symbol(284, 212, "d", d.INK, "start")
-    back = 180 + towards
+    back = 180 + toward
     yield from d.arrow(px, py, *d.polar(px, py, back - tilt, 84), "n′", d.WARM)
     yield from d.angle(px, py, back - tilt, back, 40, "θ′", d.WARM)
     yield d.dashed(x, y, x, y - 150)

@@ -36,7 +36,7 @@
 //
 // Put this sum into the rendering equation. An integral of a sum is a sum of
 // integrals. So the light that $x$ scatters has two parts. Inside the
-// integrals, $L_e$ and $L_s$ are taken at $y$, towards $x$:
+// integrals, $L_e$ and $L_s$ are taken at $y$, toward $x$:
 //
 // $$L_s(x, \omega_o) =
 // \textcolor[RGB]{194,90,34}{\underbrace{\int_\Omega L_e\,f_r
@@ -48,7 +48,7 @@
 //
 // Now each part can have its own *estimator*, the one that suits it:
 //
-// - **Direct light.** $L_e$ is 0 except towards the lights. So choose only
+// - **Direct light.** $L_e$ is 0 except toward the lights. So choose only
 //   directions that lead to a light.
 // - **Indirect light.** $L_s$ can come from anywhere. So choose a direction
 //   as in stage 1, and go on.
@@ -70,7 +70,7 @@ using stage1::sample;
 
 // ## What a light answers
 //
-// To ask a light is to draw one direction $\omega$ towards it, with a density
+// To ask a light is to draw one direction $\omega$ toward it, with a density
 // $p(\omega)$ per solid angle. The Monte Carlo estimate of the direct light
 // is then the integrand over the density:
 //
@@ -86,12 +86,11 @@ using stage1::sample;
 // The shadow ray needs the distance, because what lies *behind* the light
 // casts no shadow.
 //
-// An aside about `float`. A computed distance is wrong in its last digits.
-// So for a lamp with a surface, `distance` is a little more than the
-// distance to the lamp: the factor is `1 + distance_rounding`. That is
-// $2^{-18}$ more, 4 parts in a million. The shadow ray may pass the lamp a
-// little. That is harmless, since `reaches`, below, ignores a hit of the
-// lamp itself.
+// > *Rounding.* A computed distance is wrong in its last digits. So for a
+// > lamp with a surface, `distance` is a little more than the distance to the
+// > lamp: the factor is `1 + distance_rounding`. That is $2^{-18}$ more, 4
+// > parts in a million. The shadow ray may pass the lamp a little. That is
+// > harmless, since `reaches`, below, ignores a hit of the lamp itself.
 
 // #region light-sample
 struct LightSample {
@@ -125,16 +124,18 @@ inline constexpr float distance_rounding = 0x1p-18f;
 //
 // ![](inverse-square)
 //
-// An aside about `float` again. No ray can hit a point. But a point light
-// may lie exactly in the plane of a ceiling, and then the ceiling must not
-// be in the way. So here the shadow ray ends a little *before* the light.
-// Rounding grows with $d$ and with the coordinates. So $d$ is reduced by
-// `distance_rounding` times the mean of two numbers: $d$, and the largest
-// absolute value of the light's coordinates. You need not work this out.
+// The answer's distance is a little less than $d$. You need not work it out.
 // Copy it, with `distance` for $d$:
 //
 //     distance - distance_rounding / 2 *
 //         (distance + max_abs_component(light.center))
+//
+// > *Rounding.* No ray can hit a point. But a point light may lie exactly in
+// > the plane of a ceiling, and then the ceiling must not be in the way. So
+// > here the shadow ray ends a little *before* the light. Rounding grows with
+// > $d$ and with the coordinates. So $d$ is reduced by `distance_rounding`
+// > times the mean of two numbers: $d$, and the largest absolute value of the
+// > light's coordinates.
 
 // #region point-light
 inline LightSample sample_light(const PointLight& light, const Vec3& x,
@@ -304,18 +305,19 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 //
 // $$d\cos\theta - \sqrt{r^2 - d^2\sin^2\theta}$$
 //
-// At the edge of the cone there is 0 under the root, and rounding can make it
-// negative. So take the larger of it and 0. And if $x$ is inside the lamp,
-// there is no cone. The lamp shines outwards, so the answer is black: any
-// unit direction, the weight 0, the distance 0.
+// > *Rounding.* At the edge of the cone there is 0 under the root, and
+// > rounding can make it negative. So take the larger of it and 0.
 //
-// The last aside about `float`. If the lamp is far away, $\cos\theta_{max}$
-// is rounded to 1. Then $1 - \cos\theta_{max}$ is 0, and the lamp goes out.
-// But $s = \sin^2\theta_{max} = r^2/d^2$ has all its digits. It is
-// $(1 - \cos\theta_{max})(1 + \cos\theta_{max})$, and the cosine is
-// $\sqrt{1 - s}$. Divide by the second factor:
+// If $x$ is inside the lamp, there is no cone. The lamp shines outwards, so
+// the answer is black: any unit direction, the weight 0, the distance 0.
 //
-// $$1 - \cos\theta_{max} = \frac{s}{1 + \sqrt{1 - s}}$$
+// > *Rounding.* If the lamp is far away, $\cos\theta_{max}$ is rounded to 1.
+// > Then $1 - \cos\theta_{max}$ is 0, and the lamp goes out. But
+// > $s = \sin^2\theta_{max} = r^2/d^2$ has all its digits. It is
+// > $(1 - \cos\theta_{max})(1 + \cos\theta_{max})$, and the cosine is
+// > $\sqrt{1 - s}$. Divide by the second factor:
+// >
+// > $$1 - \cos\theta_{max} = \frac{s}{1 + \sqrt{1 - s}}$$
 
 // #region sphere-light
 inline LightSample sample_light(const SphereLight& light, const Vec3& x,
@@ -388,7 +390,7 @@ inline LightSample sample_light(const Light& light, const Vec3& x,
       [&](const auto& form) { return sample_light(form, x, u); }, light.form);
 }
 
-/// Radiance towards `wo` that the lights cause here by themselves.
+/// Radiance toward `wo` that the lights cause here by themselves.
 inline Vec3 direct_light(const Scene& scene, const Surface& surface,
                          Random& random) {
   // #region exercise 2.4: direct light

@@ -77,6 +77,16 @@ def critical_cone():
     yield d.text(48, y + 150, "glass", d.SOFT, "start")
 
 
+def from_above(x, y, unit, scale):
+    """The same directions as points of the unit disk, or of a smaller one."""
+    yield d.circle(x, y, unit, "none", d.SOFT)
+    yield d.circle(x, y, unit * scale, d.SAND, d.WARM)
+    for ring in (20, 45, 70):
+        for step in range(12):
+            px, py = d.polar(x, y, 30 * step, unit * scale * math.sin(math.radians(ring)))
+            yield d.circle(px, py, 2.4, d.WARM)
+
+
 def disk(x, radius, scale, name, area):
     """Directions from the side, above, and as points of a disk, below."""
     side, above, unit = 146, 356, 96
@@ -89,12 +99,7 @@ def disk(x, radius, scale, name, area):
     for out in (-70, -45, -20, 20, 45, 70):
         within = math.degrees(math.asin(scale * math.sin(math.radians(out))))
         yield d.line(x, side, *d.polar(x, side, turn - within if turn else within, unit), d.WARM, 1.6, True)
-    yield d.circle(x, above, unit, "none", d.SOFT)
-    yield d.circle(x, above, unit * scale, d.SAND, d.WARM)
-    for ring in (20, 45, 70):
-        for step in range(12):
-            px, py = d.polar(x, above, 30 * step, unit * scale * math.sin(math.radians(ring)))
-            yield d.circle(px, py, 2.4, d.WARM)
+    yield from from_above(x, above, unit, scale)
     yield d.text(x, 34, name)
     yield d.text(x, above + unit + 30, f"radius {radius}")
     yield d.text(x, above + unit + 54, f"area {area}", d.WARM)
@@ -104,6 +109,14 @@ def disk(x, radius, scale, name, area):
 def radiance_disks():
     yield from disk(135, "1", 1, "outside", "π")
     yield from disk(385, "1/1.5", 1 / 1.5, "in the glass", "π/2.25")
+
+
+@d.diagram("radiance-areas", 520, 262)
+def radiance_areas():
+    """The disks alone, with letters for a slide."""
+    for x, scale, words in ((130, 1, "outside: π"), (390, 1 / 1.5, "in glass: π/2.25")):
+        yield from from_above(x, 110, 104, scale)
+        yield d.text(x, 250, words, d.WARM, size=22)
 
 
 def bent(d_x, d_y, n_x, n_y, ratio):

@@ -197,7 +197,7 @@ inline std::optional<Vec3> refract(const Vec3& wo, const Vec3& normal,
   // #endregion
 }
 
-/// eta_o / eta_i for light that leaves towards `wo`. The shape's own normal
+/// eta_o / eta_i for light that leaves toward `wo`. The shape's own normal
 /// points outside, where the index is 1; inside it is the material's.
 inline float relative_eta(const Surface& surface) {
   // #region exercise 3.3: inside or outside

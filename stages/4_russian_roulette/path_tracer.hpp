@@ -340,7 +340,7 @@ inline std::optional<LobeChoice> choose_lobe(const LobeProbabilities& p,
 // direction of the event's `lobe`. It returns a `BsdfSample`, with the
 // direction `wi` and its `weight`. Multiply the throughput by the weight over
 // the probability. The next ray comes from `spawn_ray`. It goes from the hit
-// towards `wi`, and starts a little off the surface. Set the flag, too.
+// toward `wi`, and starts a little off the surface. Set the flag, too.
 
 // #region path
 class PathTracer {

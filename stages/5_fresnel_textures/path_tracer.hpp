@@ -104,9 +104,10 @@ using stage4::LobeChoice;
 // \qquad \eta = \frac{\eta_o}{\eta_i}$$
 //
 // The cosine $\cos\theta_i$ comes from Snell's law as in stage 3. If
-// $\sin^2\theta_i$ is 1 or more, return 1 before you take the root. The root
-// of a negative number is a *NaN*, a value that is "not a number", and it
-// spoils every sum that it enters.
+// $\sin^2\theta_i$ is 1 or more, return 1 before you take the root.
+//
+// > *NaN.* The root of a negative number is a NaN, a value that is "not a
+// > number", and it spoils every sum that it enters.
 
 // #region fresnel
 /// The share of unpolarized light that is reflected, 0 to 1. `cos_o` >= 0 is
@@ -155,9 +156,11 @@ inline float fresnel_reflectance(float cos_o, float eta_ratio) {
 // moved. Seen from above, the longitude is the angle from -z to $n$. It is
 // `std::atan2(n.x, -n.z)`, from $-\pi$ to $\pi$, and becomes $u = 0.5 +
 // \text{longitude}/2\pi$. The angle from the south pole is $\arccos(-n_y)$,
-// by `std::acos`, and divided by $\pi$ it is $v$. Rounding may make $-n_y$
-// slightly larger than 1, and its arccosine a NaN. So clamp it:
+// by `std::acos`, and divided by $\pi$ it is $v$. Take $-n_y$ as
 // `glm::clamp(-n.y, -1.0f, 1.0f)`.
+//
+// > *Rounding.* It may make $-n_y$ slightly larger than 1, and its arccosine
+// > a NaN.
 //
 // The constants $\pi$ and $2\pi$ are `pi` and `two_pi`.
 

@@ -126,7 +126,7 @@ HWY_INLINE Vec3s reflect(const Vec3s& wo, const Vec3s& normal) {
 // lanes in which they mean nothing. Fresnel's early return is a `select`.
 
 // #region refract
-/// eta_o / eta_i for light that leaves towards `wo`.
+/// eta_o / eta_i for light that leaves toward `wo`.
 HWY_INLINE Floats relative_eta(const Hits& hit, const Floats& eta,
                                const Vec3s& wo) {
   const Mask outside = dot(hit.normal, wo) > 0.0f;
@@ -396,7 +396,7 @@ HWY_INLINE LightSamples sample_light(const SphereLight& light, const Vec3s& x,
 // the shape of its own light, and nothing else before it.
 
 // #region direct-light
-/// Radiance towards the viewer that all sampled lights cause.
+/// Radiance toward the viewer that all sampled lights cause.
 HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
                               const Mask& asking, Randoms& random) {
   const Vec3s x = leave(surface.hit, surface.normal);
@@ -547,8 +547,8 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 //
 // In the box under the point light, about one path in five ends at each
 // step. Suppose that its lane stayed empty until all 16 have ended. Soon
-// most lanes would be empty, and all would wait for the longest path. In the
-// upper half of the figure nearly two thirds of the lanes do nothing.
+// most lanes would be empty, and all would wait for the longest path. Without
+// a refill nearly two thirds of the lanes do nothing, as the figure shows.
 //
 // ![](idle-lanes)
 //

@@ -263,7 +263,7 @@ TEST_CASE("a huge ball is hit where it is, not where its center rounds to") {
   }
 }
 
-TEST_CASE("the normal towards a direction is on the direction's side") {
+TEST_CASE("the normal toward a direction is on the direction's side") {
   Hit hit{};
   hit.normal = {0, 1, 0};
   CHECK(normal_towards(hit, {0.6f, 0.8f, 0}) == Vec3(0, 1, 0));

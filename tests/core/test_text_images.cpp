@@ -101,9 +101,9 @@ TEST_CASE("PFM files of the other byte order and gray ones are read") {
   CHECK(decode_pfm("PF\n1 1\n1.0\n" + big).radiance.at(0, 0) ==
         Vec3(1.5f, -2, 1e-3f));
 
-  const Image grey = decode_pfm("Pf 2 1 -1\n" + floats({0.25f, 7})).radiance;
-  CHECK(grey.at(0, 0) == Vec3(0.25f));
-  CHECK(grey.at(1, 0) == Vec3(7));
+  const Image gray = decode_pfm("Pf 2 1 -1\n" + floats({0.25f, 7})).radiance;
+  CHECK(gray.at(0, 0) == Vec3(0.25f));
+  CHECK(gray.at(1, 0) == Vec3(7));
 }
 
 // The white space behind the scale is one character, or CR LF.

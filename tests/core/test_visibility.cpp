@@ -85,7 +85,7 @@ TEST_CASE("the last blocker of many counts as much as the first") {
 }
 
 // Both answers come from the same packs: a point is visible when the nearest
-// hit towards it lies beyond it. Where they are within rounding, either is
+// hit toward it lies beyond it. Where they are within rounding, either is
 // right.
 TEST_CASE("visible agrees with the nearest hit, in both directions") {
   Random random(1, 0, 0);

@@ -79,6 +79,15 @@ class House(unittest.TestCase):
                 self.assertLessEqual(len(lines), limit, "lines")
                 self.assertLessEqual(max(map(len, lines)), 78, "columns")
 
+    def test_chapters_decks_and_pages_are_in_american_spelling(self):
+        british = r"\b(?:towards|grey|(?:colou?|behavio|favo|neighbo)ur(?:s|ed|ing)?|(?:centi|kilo)?metres?|centre[sd]?)\b"
+        paths = list(ROOT.glob("*.md"))
+        for folder in ("slides", "stages", "common", "tools"):
+            paths += (path for path in ROOT.glob(f"{folder}/**/*") if path.suffix in (".hpp", ".md", ".toml"))
+        for path in paths:
+            with self.subTest(path=str(path.relative_to(ROOT))):
+                self.assertEqual(re.findall(british, path.read_text(), re.IGNORECASE), [])
+
     def test_the_map_lists_the_core_as_it_is(self):
         tree.core_headers()
 

@@ -42,6 +42,18 @@ test("every page is complete, without complaints or requests to other servers", 
     assert.equal(found.missing, 0, `${name}: missing pictures`);
   }));
 
+test("asides are quieter than the text on a wide page, and like it on a narrow one", async () => {
+  for (const [width, quiet] of [[1366, true], [390, false]]) {
+    const page = await watched(browser, { viewport: { width, height: 844 } });
+    await page.goto(url("book/stages/2_next_event.html"));
+    const sizes = await page.$$eval(".prose blockquote", (all) => all.map((aside) =>
+      [aside, aside.closest(".prose")].map((e) => parseFloat(getComputedStyle(e).fontSize))));
+    assert.equal(sizes.length, 4);
+    for (const [aside, text] of sizes) assert.equal(aside < text, quiet, `${width}: ${aside} px beside ${text}`);
+    await page.close();
+  }
+});
+
 test("the search finds words of prose and of code, without requests to other servers", async () => {
   const page = await watched(browser);
   const find = async (words) => {

@@ -1,18 +1,18 @@
-// The page of mistakes: its pictures, its tables and their filter.
+// The pages of mistakes: the pictures, the tables and their filter.
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const path = require("node:path");
 const { after, before, test } = require("node:test");
 const { build, launch, url, watched } = require("./browser.cjs");
 
-const address = "book/mistakes.html";
+const gallery = "book/mistakes.html", tables = "book/known_mistakes.html";
 
 let browser;
 before(async () => (browser = await launch()));
 after(() => browser?.close());
 
-async function opened(hash = "", options = {}) {
-  const page = await watched(browser, options);
+async function opened(address, hash = "") {
+  const page = await watched(browser);
   await page.goto(url(address) + hash);
   return page;
 }
@@ -21,7 +21,7 @@ const shown = (page) => page.locator("table.mistakes tbody tr:visible").count();
 const said = (page) => page.locator(".search-mistakes [role=status]").innerText();
 
 test("twenty pairs, right and wrong, unlike each other, and each can be chosen by its look", async () => {
-  const page = await opened();
+  const page = await opened(gallery);
   const pairs = await page.evaluate(() =>
     [...document.querySelectorAll(".mistake .figure.compare")].map((pair) => ({
       labels: [...pair.querySelectorAll(".panel > p:last-child")].map((p) => p.textContent),
@@ -46,10 +46,10 @@ test("twenty pairs, right and wrong, unlike each other, and each can be chosen b
   await page.close();
 });
 
-test("the page is light, no name stands there twice, and every link leads somewhere", async () => {
+for (const address of [gallery, tables]) test(`${address} is light, no name stands there twice, and every link leads somewhere`, async () => {
   const size = fs.statSync(`${build}/${address}`).size;
   assert.ok(size < 600_000, `${size} bytes`);
-  const page = await opened();
+  const page = await opened(address);
   const { names, links } = await page.evaluate(() => ({
     names: [...document.querySelectorAll("[id]")].map((e) => e.id),
     links: [...document.querySelectorAll("article a[href]")].map((a) => a.getAttribute("href")),
@@ -58,7 +58,7 @@ test("the page is light, no name stands there twice, and every link leads somewh
   const texts = {};
   for (const link of new Set(links)) {
     const [file, name] = link.split("#");
-    const target = path.join(path.dirname(`${build}/${address}`), file || "mistakes.html");
+    const target = path.join(path.dirname(`${build}/${address}`), file || path.basename(address));
     texts[target] ??= fs.readFileSync(target, "utf8");
     assert.ok(!name || texts[target].includes(`id="${name}"`), link);
   }
@@ -66,7 +66,7 @@ test("the page is light, no name stands there twice, and every link leads somewh
 });
 
 test("words and the stage filter the rows as one types, and Escape shows all", async () => {
-  const page = await opened();
+  const page = await opened(tables);
   const all = await page.locator("table.mistakes tbody tr").count();
   assert.equal(await said(page), `${all} of ${all}`);
   // Two words of one row; as typed, the apostrophe of one is straight.
@@ -89,7 +89,7 @@ test("words and the stage filter the rows as one types, and Escape shows all", a
 });
 
 test("the arrow keys in the field turn no page", async () => {
-  const page = await opened();
+  const page = await opened(tables);
   await page.getByLabel("Search the mistakes").fill("pi");
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowLeft");
@@ -101,7 +101,7 @@ test("the arrow keys in the field turn no page", async () => {
 });
 
 test("a link to a mistake shows it with its lines, whatever was searched for", async () => {
-  const page = await opened("#lamp-shines-on-both-sides");
+  const page = await opened(tables, "#lamp-shines-on-both-sides");
   const row = page.locator("#stage1-lamp-shines-on-both-sides");
   assert.equal(await row.locator("pre").isVisible(), true);
   await page.getByLabel("Search the mistakes").fill("roulette");
@@ -115,7 +115,7 @@ test("a link to a mistake shows it with its lines, whatever was searched for", a
 test("without JavaScript the whole table stands there", async () => {
   const context = await browser.newContext({ javaScriptEnabled: false });
   const page = await context.newPage();
-  await page.goto(url(address));
+  await page.goto(url(tables));
   assert.ok((await shown(page)) > 200);
   assert.equal(await page.locator(".search-mistakes").count(), 0);
   await page.locator("table.mistakes summary").first().click();

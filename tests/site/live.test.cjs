@@ -18,6 +18,7 @@ const figures = {
   "inverse-square": "2_next_event",
   "area-to-angle": "2_next_event",
   "lamp-cone": "2_next_event",
+  "idle-lanes": "6_many_paths",
 };
 
 async function figure(name) {
@@ -124,6 +125,33 @@ test("the lamp's cone: its angle, the direction, and the first point on the sphe
   assert.deepEqual(far.map((length) => length.toFixed(3)), ["1.000", "3.232"]);
   await slider("ξ").fill("1");
   assert.match(await says(), /θ = 14\.5°.* − 0\.000 = 3\.873/);
+  await close(page);
+});
+
+test("lanes: without a refill all wait for the longest path, and with it all work", async () => {
+  const { page, live, slider, says } = await figure("idle-lanes");
+  /** The paths that are drawn, as [first step, steps]. */
+  const paths = () => live.evaluate((box) => [...box.querySelectorAll("svg rect.fill")].map((e) =>
+    [(e.x.baseVal.value - 8) / 12, Math.round((e.width.baseVal.value + 1) / 12)]));
+  const sum = (all) => all.reduce((a, [, steps]) => a + steps, 0);
+  await slider("steps").fill("42");
+  const alone = await paths();
+  for (const [first] of alone) assert.equal(alone.filter(([other]) => other === first).length, 16, `${first}`);
+  const share = Math.round((100 * sum(alone)) / (16 * 42));
+  assert.ok(share > 25 && share < 40, `${share} %`); // 1/0.2 steps of H(16)/0.223 + 1/2, that is 32 %
+  assert.match(await says(), new RegExp(`so far ${share} % of the lanes`));
+  await slider("refill").check();
+  assert.match(await says(), /In step 42, 16 of 16 lanes work.*so far 100 % of the lanes/);
+  assert.equal(sum(await paths()), 16 * 42);
+  await slider("refill").uncheck();
+  await slider("steps").fill("1");
+  assert.match(await says(), /In step 1, 16 of 16 lanes work.*100 %/);
+  // As many end at the first step as are not there at the second: about a half.
+  await slider("chance").fill("0.5");
+  const [, ended] = (await says()).match(/(\d+) paths have ended/);
+  await slider("steps").fill("2");
+  assert.match(await says(), new RegExp(`In step 2, ${16 - ended} of 16`));
+  assert.ok(ended > 3 && ended < 13, ended);
   await close(page);
 });
 

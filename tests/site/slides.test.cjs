@@ -76,6 +76,20 @@ for (const deck of decks) {
     await page.close();
   });
 
+  test(`${deck}: a listing can be read from the last row`, async () => {
+    const page = await watched(browser, { viewport: screen });
+    await page.goto(url(deck));
+    // 540 points are the height of a slide, however large it is shown.
+    const small = await page.evaluate(() =>
+      [...document.querySelectorAll("section[id]")].flatMap((slide) =>
+        [...slide.querySelectorAll("pre")].map((e) => ({
+          slide: slide.id, text: e.textContent.trim().slice(0, 40),
+          points: parseFloat(getComputedStyle(e).fontSize) * 540 / slide.offsetHeight }))
+          .filter((e) => e.points < 17)));
+    assert.deepEqual(small, []);
+    await page.close();
+  });
+
   test(`${deck}: a question stands alone before its answer`, async () => {
     const page = await watched(browser, { viewport: screen });
     await page.goto(url(deck));

@@ -22,6 +22,14 @@ class Slides(Copy):
         self.change("slides/2_next_event.md", "#light-sample", "#sphere-light")
         self.assert_refused("slides", "do not fit a slide")
 
+    def test_a_marked_line_that_there_is_not(self):
+        self.change(
+            "slides/1_diffuse.md",
+            'steps="inline Vec3 sample_uniform; inline float uniform" marks="',
+            'marks="const int theta; ',
+        )
+        self.assert_refused("slides", "slides/1_diffuse.md:", "no line begins 'const int theta'")
+
     def test_a_figure_that_nobody_makes(self):
         self.change("slides/2_next_event.md", "{figure} next-event", "{figure} last-event")
         self.assert_refused("slides", "figure 'last-event' is in no figures.toml")

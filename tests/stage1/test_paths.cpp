@@ -47,9 +47,8 @@ TEST_CASE("a lamp is as bright from the side as from the front") {
   for (const Vec3 direction :
        {Vec3(0, -1, 0), Vec3(0.6f, -0.8f, 0), Vec3(0, -0.1f, 1)}) {
     const Ray ray{{0, 1, 0}, normalize(direction)};
-    check_color(
-        "ke towards " + text_of(-ray.direction) + ", without a cosine",
-        tracer(scene, 0).radiance(ray, random), Vec3(2));
+    check_color("ke toward " + text_of(-ray.direction) + ", without a cosine",
+                tracer(scene, 0).radiance(ray, random), Vec3(2));
   }
 }
 

@@ -89,7 +89,7 @@ TEST_CASE("direct light is not shaded by the surface that it falls on") {
   struct Case {
     const char* name;
     std::string shape, center;
-    Vec3 light, towards;
+    Vec3 light, toward;
   };
   // Far from the origin, where floats are coarse.
   const std::string ball = text::sphere("1500, -700, 900", "5", "wall");
@@ -113,9 +113,9 @@ TEST_CASE("direct light is not shaded by the surface that it falls on") {
     int dark = 0;
     for (int i = 0; i < 1000; ++i) {
       const Vec2 u = 0.8f * random.uniform_2d() - 0.4f;
-      const Vec3 aside(one.towards.z, one.towards.x, one.towards.y);
-      const Vec3 direction = normalize(one.towards + u.x * aside +
-                                       u.y * cross(aside, one.towards));
+      const Vec3 aside(one.toward.z, one.toward.x, one.toward.y);
+      const Vec3 direction = normalize(one.toward + u.x * aside +
+                                       u.y * cross(aside, one.toward));
       dark += lit(scene, {one.light, direction}, 1).mean[0] == 0;
     }
     if (dark == 0) continue;

@@ -14,7 +14,7 @@ TEST_SUITE_BEGIN("units");
 
 namespace {
 
-/// A direction at `degrees` from the z axis, towards +x.
+/// A direction at `degrees` from the z axis, toward +x.
 Vec3 at_angle(double degrees) {
   const double radians = degrees * std::acos(-1.0) / 180;
   return {static_cast<float>(std::sin(radians)), 0,
@@ -227,7 +227,7 @@ TEST_CASE("each lobe's weight is its coefficient, without a cosine") {
                       side * reflect(wo, up));
         continue;
       }
-      // Radiance grows by (eta_o / eta_i)^2 towards the side of wo.
+      // Radiance grows by (eta_o / eta_i)^2 toward the side of wo.
       check_color(side > 0 ? "weight into glass of 1.5, kt / eta^2"
                            : "weight out of glass of 1.5, kt eta^2",
                   refracted.weight,

@@ -146,13 +146,13 @@ TEST_CASE("maxima that add to more than 1 are scaled down to fit the bar") {
   INFO("diffuse ", p.diffuse, ", specular ", p.specular, ", refraction ",
        p.refraction, " for maxima of 0.9 each, expected 1 in all, or less");
   CHECK(p.diffuse + p.specular + p.refraction <= 1 + 1e-6f);
-  const auto grey =
+  const auto gray =
       lobe_probabilities(material(Vec3(0.3f), Vec3(0.3f), Vec3(0.3f)), 0);
-  INFO("diffuse ", grey.diffuse, ", specular ", grey.specular,
-       ", refraction ", grey.refraction,
+  INFO("diffuse ", gray.diffuse, ", specular ", gray.specular,
+       ", refraction ", gray.refraction,
        " for kd = ks = kt = 0.3, expected three times the same");
-  CHECK(grey.diffuse == doctest::Approx(grey.specular));
-  CHECK(grey.specular == doctest::Approx(grey.refraction));
+  CHECK(gray.diffuse == doctest::Approx(gray.specular));
+  CHECK(gray.specular == doctest::Approx(gray.refraction));
 }
 
 TEST_CASE("from bounce 16 on lossless materials may end, too") {

@@ -15,7 +15,7 @@ TEST_SUITE_BEGIN("units");
 
 namespace {
 
-/// The hit of the first shape that a ray towards `target` meets.
+/// The hit of the first shape that a ray toward `target` meets.
 Vec2 uv_at(const Scene& scene, const Vec3& from, const Vec3& target) {
   const auto hit = scene.nearest_hit({from, normalize(target - from)});
   REQUIRE(hit.has_value());
@@ -97,7 +97,7 @@ TEST_CASE("a plane's uv are distances along two axes square to its normal") {
   CHECK(glm::dot(a - b, a - c) == doctest::Approx(0).epsilon(tolerance));
 }
 
-// The lab's box has its walls one unit away, their normals towards the
+// The lab's box has its walls one unit away, their normals toward the
 // middle, and its camera looks along +z with -x to the left and +y up. So for
 // an eye in the middle the first point here is at the lower left of a wall's
 // picture, and the next two are right of it and above it. On the floor and
@@ -132,7 +132,7 @@ TEST_CASE("a picture on a plane stands upright and is not mirrored") {
   }
 }
 
-// A roof that rises at 45 degrees towards +z: v is measured along it.
+// A roof that rises at 45 degrees toward +z: v is measured along it.
 TEST_CASE("on a slope v is measured along the plane") {
   const Scene scene =
       with("type = \"plane\"\nnormal = [0, 1, -1]\ndistance = 1");
@@ -147,7 +147,7 @@ TEST_CASE("on a slope v is measured along the plane") {
   CHECK(glm::length(c - a - Vec2(1, 0)) < 1e-4f);
 }
 
-// Longitude 0, the middle of the map, is towards -z; east is towards +x,
+// Longitude 0, the middle of the map, is toward -z; east is toward +x,
 // which is to the right for a camera that looks along +z.
 TEST_CASE("a sphere is a globe: middle to -z, east to +x, north to +y") {
   const Scene scene =

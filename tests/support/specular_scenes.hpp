@@ -99,7 +99,7 @@ inline double mirrored_lamp_radiance() {
          (rectangle_form_factor(9, 3, 3) - rectangle_form_factor(3, 3, 3));
 }
 
-/// A ray towards the thing from anywhere around it.
+/// A ray toward the thing from anywhere around it.
 inline Ray ray_at_thing(Random& random) {
   const auto point_on_sphere = [&] {
     const Vec2 u(random.uniform_2d());

@@ -18,7 +18,7 @@ from tools.book.figures import PlacedFigures
 from tools.book.instructors import hours
 from tools.book.keep_together import keep_together
 from tools.book.measurements import with_tables
-from tools.book.mistakes import figure_entry, mistakes_page, read_gallery
+from tools.book.mistakes import figure_entry, mistakes_pages, read_gallery
 from tools.book.page import page_of, weave
 from tools.book.set_formulas import set_formulas
 from tools.book.symbols import symbols_page
@@ -81,10 +81,10 @@ def write_source(source, figures, *gallery):
             write(source / page.name, bare + filled(page, figures, source).split("\n"))
     write(source / "symbols.md", bare + symbols_page())
     write(source / "words.md", bare + words_page())
-    mistakes = mistakes_page(figures, *gallery)
-    if mistakes:
-        write(source / "mistakes.md", mistakes)
-    write(source / "index.md", front_page(figures, bool(mistakes)))
+    mistakes = mistakes_pages(figures, *gallery)
+    for name, lines in mistakes.items():
+        write(source / f"{name}.md", lines)
+    write(source / "index.md", front_page(figures, list(mistakes)))
 
 
 def filled(page, figures, source):
@@ -93,10 +93,9 @@ def filled(page, figures, source):
     return text.replace("{hours}", "\n".join(hours())) if "{hours}" in text else text
 
 
-def front_page(figures, with_mistakes):
+def front_page(figures, mistakes):
     text = figures.filled(PAGES / "index.md")
-    rest = ["instructors", "symbols", "words", "measurements", "further_reading"]
-    rest += ["mistakes"] * with_mistakes
+    rest = ["instructors", "symbols", "words", "measurements", "further_reading", *mistakes]
     lines = text.split("\n")
     lists = {"The stages": [page_of(header) for header in stage_headers()], "Beside them": rest}
     for caption, headers in other_headers().items():

@@ -1,4 +1,4 @@
-"""The page of mistakes: a gallery with pictures, and the catalog to search.
+"""The pages of mistakes: a gallery with pictures, and the catalog to search.
 
 gallery.toml lists the mistakes with pictures. Each is a figure of two panels,
 the right picture and the wrong one, which the program with the mistake renders.
@@ -93,14 +93,13 @@ def contact_sheet(pairs):
 
 
 def row(entry, last, pictured):
-    """A row of a table; for a mistake with a picture, the picture has the anchors."""
+    """A row of a table, with a link to the pictures if there are any."""
     diff = entry.change[1]
     stage, section = entry.mistake.stage, entry.section()
-    own = "" if pictured else f' id="{entry.anchor}"'
-    bare = "" if pictured else "".join(f' id="{name}"' for name in entry.anchors())
-    see = f' <a href="#{entry.anchor}">Pictures</a>' if pictured else ""
+    bare = "".join(f' id="{name}"' for name in entry.anchors())
+    see = f' <a href="mistakes.html#{entry.anchor}">Pictures</a>' if pictured else ""
     return (
-        f"<tr{own}><td>{stage}</td><td{bare}><p>{escaped(entry.sentence)}{see}</p>"
+        f'<tr id="{entry.anchor}"><td>{stage}</td><td{bare}><p>{escaped(entry.sentence)}{see}</p>'
         f"<details><summary>The change <code>{entry.mistake.name}</code></summary>{diff_html(diff)}"
         f'<p>In the chapter: <a href="{entry.page(".html")}#{make_id(section)}">{escaped(section)}</a></p>'
         f"</details></td><td>{escaped(last)}</td></tr>"
@@ -135,13 +134,19 @@ def read_gallery(catalogue):
     return pairs, read["why"]
 
 
-def mistakes_page(figures, catalogue, pairs, why):
-    """The page's lines, or None if there are no known mistakes."""
+def mistakes_pages(figures, catalogue, pairs, why):
+    """The lines of each page; no pages if there are no known mistakes."""
     if not catalogue:
-        return None
-    pictured = {entry.anchor for entry, _ in pairs}
+        return {}
     wrong = [entry for entry in catalogue if not entry.is_right]
     right = [entry for entry in catalogue if entry.is_right]
+    return {
+        "mistakes": gallery_page(figures, pairs, len(wrong), len(right)),
+        "known_mistakes": tables_page({entry.anchor for entry, _ in pairs}, wrong, right, why),
+    }
+
+
+def gallery_page(figures, pairs, wrong, right):
     cards = []
     for stage in sorted({shown["stage"] for _, shown in pairs}):
         cards += [f"### Stage {stage}", ""]
@@ -153,9 +158,9 @@ def mistakes_page(figures, catalogue, pairs, why):
         "",
         f"Does your picture look like one of these? Each of the {len(pairs)} was rendered by the "
         "program of its stage with one mistake in it. Choose a picture to see it beside the right "
-        f"one, with the lines that cause it. All {len(wrong)} known mistakes are "
-        "[in a table](#all-known-mistakes) that you can search, and so are "
-        f"[{len(right)} changes that are no mistakes](#changes-that-are-no-mistakes).",
+        f"one, with the lines that cause it. All {wrong} known mistakes are "
+        "[in a table](known_mistakes.md) that you can search, and so are "
+        f"[{right} changes that are no mistakes](known_mistakes.md#changes-that-are-no-mistakes).",
         "",
         *contact_sheet(pairs),
         f"## {len(pairs)} mistakes that can be seen",
@@ -164,8 +169,15 @@ def mistakes_page(figures, catalogue, pairs, why):
         "test finds each mistake sooner than the eye: its command is below the lines.",
         "",
         *cards,
-        "## All known mistakes",
+    ]
+
+
+def tables_page(pictured, wrong, right, why):
+    return [
+        *["---", "hide-toc: true", "---", ""],
+        "# All known mistakes",
         "",
+        f"[The gallery](mistakes.md) shows how {len(pictured)} of these look. "
         "Each was inserted into the right header, and the named test failed. Many pictures look "
         "alike, so search for what your code does or for the test that fails.",
         "",

@@ -56,7 +56,7 @@ document.addEventListener("DOMContentLoaded", () => {
   }
   showProgress();
 
-  function labelled(checked, words, changed) {
+  function labeled(checked, words, changed) {
     const label = document.createElement("label"), box = document.createElement("input");
     Object.assign(box, { type: "checkbox", checked });
     box.addEventListener("change", () => {
@@ -70,7 +70,7 @@ document.addEventListener("DOMContentLoaded", () => {
   function addSwitch() {
     const hide = (hidden) => document.body.classList.toggle("hides", hidden);
     hide(!kept.shows);
-    const label = labelled(!kept.shows, "Hide the code that I am to write", (hidden) => {
+    const label = labeled(!kept.shows, "Hide the code that I am to write", (hidden) => {
       kept.shows = !hidden;
       hide(hidden);
     });
@@ -80,7 +80,7 @@ document.addEventListener("DOMContentLoaded", () => {
 
   function addTick(exercise) {
     const { id } = exercise;
-    const label = labelled(here.done.includes(id), "done", (done) => {
+    const label = labeled(here.done.includes(id), "done", (done) => {
       here.done = here.done.filter((one) => one !== id);
       if (done) here.done.push(id);
     });

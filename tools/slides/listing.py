@@ -1,4 +1,4 @@
-"""Code on a slide: a region of a header, in the largest type that fits."""
+"""Code on a slide: a region of a header, or the steps of it that fit."""
 
 import re
 from html import escape
@@ -11,7 +11,9 @@ from tools.tree import ROOT, Failure
 from tools.weave.code_colors import CodeColors
 from tools.weave.literate import changed_lines, earlier_version, region
 
-LARGEST, SMALLEST = 23, 15  # pixels of a slide of 1280 by 720
+# Pixels of a slide of 1280 by 720, as in slides/theme.css. The last row needs 17
+# points of a page that is 540 points high.
+SIZE = 23
 LETTER, LINE = 0.602, 1.36  # widest usual monospace letter, line height
 
 
@@ -37,8 +39,18 @@ def excerpt(lines, steps, reference):
     return chosen
 
 
-def listing(reference, steps="", width=1112, height=485):
-    """HTML for the region; marks the lines that are new since the previous stage."""
+def marked_lines(lines, marks, reference):
+    """The lines, counted from 1, that begin with these words."""
+    for mark in marks:
+        found = [n for n, line in enumerate(lines, 1) if line.lstrip().startswith(mark)]
+        if not found:
+            raise Failure(f"{reference}: no line begins '{mark}'")
+        yield from found
+
+
+def listing(reference, steps="", marks="", width=1112, height=485):
+    """HTML for the region; marks these lines, or those that are new since the
+    previous stage."""
     piece = region(reference)
     code = piece.lines
     path, name = reference.split("#")
@@ -55,8 +67,9 @@ def listing(reference, steps="", width=1112, height=485):
     marked = [i for i, n in enumerate(chosen, 1) if n is not None and n + 1 in new]
     if len(marked) == len(lines):
         marked = []
-    size = min(LARGEST, width / (max(map(len, lines)) * LETTER), height / (len(lines) * LINE))
-    if size < SMALLEST:
+    if marks:
+        marked = list(marked_lines(lines, [m.strip() for m in marks.split(";")], reference))
+    if max(map(len, lines)) * LETTER * SIZE > width or len(lines) * LINE * SIZE > height:
         raise Failure(
             f"{reference}: {len(lines)} lines of up to "
             f"{max(map(len, lines))} columns do not fit a slide; "
@@ -75,7 +88,7 @@ def listing(reference, steps="", width=1112, height=485):
     source = f"{escape(path)}, <b>{escape(name)}</b>"
     for one in dict.fromkeys(one.number for one in exercises if one):
         source += exercise_link(path, one)
-    return f"""<pre class="listing" style="font-size: {size:.2f}px">{"".join(html)}</pre>
+    return f"""<pre class="listing">{"".join(html)}</pre>
 <p class="source">{source}</p>"""
 
 
@@ -101,12 +114,13 @@ def fill(text, where, narrow=False):
         options = {key: value.strip('"') for key, value in options.items()}
         reference = options.pop("region")
         for key in options:
-            if key not in ("steps", "width", "height"):
+            if key not in ("steps", "marks", "width", "height"):
                 raise Failure(f"{where}: a listing has no option '{key}'")
         try:
             return listing(
                 reference,
                 options.get("steps", ""),
+                options.get("marks", ""),
                 int(options.get("width", 1046 if narrow else 1112)),
                 int(options.get("height", 485)),
             )

@@ -9,7 +9,7 @@ from tools.weave import drawing as d
 from tools.weave import measured
 
 BOX = "scenes/cornell_box_point.toml"
-OPENING = -1  # the box is open towards -z; it is drawn up to here
+OPENING = -1  # the box is open toward -z; it is drawn up to here
 
 
 @d.diagram("two-densities", 520, 300)
@@ -36,7 +36,7 @@ def two_densities():
 def one_path():
     yield f'<path d="M40 30 H530 V270 H40" fill="none" stroke="{d.INK}" stroke-width="2.4"/>'
     yield d.line(220, 30, 360, 30, d.WARM, 7)
-    yield d.text(290, 20, "lamp", d.WARM)
+    yield d.text(290, 20, "lamp: its emission, times the product of the weights", d.WARM)
     points = [(40, 160), (250, 270), (530, 140), (150, 30), (180, 270), (300, 30)]
     for number, (a, b) in enumerate(zip(points, points[1:])):
         yield d.line(*a, *b, d.COOL, 2, True)
@@ -46,8 +46,6 @@ def one_path():
                 a[0] + (18 if a[0] < 500 else -16), a[1] + (20 if a[1] < 200 else -10), str(number), size=14
             )
     yield d.text(50, 146, "camera", d.SOFT, "start", size=14)
-    yield d.text(298, 54, "its emission, times", d.WARM, "start", size=13)
-    yield d.text(298, 74, "the product of the weights", d.WARM, "start", size=13)
 
 
 @d.diagram("densities", 580, 245)

@@ -8,8 +8,8 @@ live("area-to-angle", {
   ],
   draw({ tilt, d }) {
     const x = 150, y = 285, unit = 72, half = 33;
-    const towards = radians(37), back = towards + Math.PI, reach = d * unit;
-    const [px, py] = polar(x, y, reach, towards);
+    const toward = radians(37), back = toward + Math.PI, reach = d * unit;
+    const [px, py] = polar(x, y, reach, toward);
     const cosine = Math.cos(radians(tilt)), front = tilt < 90;
     /** A point seen from the patch, at an angle from the line back to x. */
     const at = (angle, radius) => polar(px, py, radius, back + radians(angle));
@@ -36,7 +36,7 @@ live("area-to-angle", {
       );
     }
     const centered = ([cx, cy], words, kind) => shape.text(cx, cy + 5, words, kind);
-    const middle = polar(x, y, (unit + reach - 60) / 2, towards);
+    const middle = polar(x, y, (unit + reach - 60) / 2, toward);
     shapes.push(
       shape.arrow(px, py, ...at(tilt, 50), "warm"),
       shape.arc(px, py, 34, back, back + radians(tilt), "warm"),
@@ -57,8 +57,8 @@ live("area-to-angle", {
     return { shapes, text };
   },
   drag(px, py, { d }) {
-    const towards = radians(37), [cx, cy] = polar(150, 285, 72 * d, towards);
-    const turned = degrees(Math.atan2(cy - py, px - cx) - towards - Math.PI);
+    const toward = radians(37), [cx, cy] = polar(150, 285, 72 * d, toward);
+    const turned = degrees(Math.atan2(cy - py, px - cx) - toward - Math.PI);
     // From -180 to 180.
     return { tilt: Math.round(2 * (turned - 360 * Math.round(turned / 360))) / 2 };
   },
