@@ -22,6 +22,7 @@ struct PixelSample {
 struct RenderInfo {
   std::string stage = {};        ///< the program, such as "stage1"
   double samples_per_pixel = 0;  ///< of the pixel that has fewest
+  std::uint32_t first_sample = 0;  ///< of each pixel
   std::uint64_t seed = 0;
   int max_bounces = 0;
   std::string scene_hash = {};  ///< of the scene file
@@ -50,6 +51,7 @@ using InfoTexts = std::map<std::string, std::string>;
 inline InfoTexts texts_of(const RenderInfo& info) {
   const auto samples = static_cast<std::uint64_t>(info.samples_per_pixel);
   return {{"samples_per_pixel", std::to_string(samples)},
+          {"first_sample", std::to_string(info.first_sample)},
           {"seed", std::to_string(info.seed)},
           {"max_bounces", std::to_string(info.max_bounces)},
           {"scene_hash", info.scene_hash},
@@ -70,6 +72,8 @@ inline RenderInfo info_of(const InfoTexts& texts) {
   RenderInfo info;
   info.samples_per_pixel =  // a PixelSample's are counted with 32 bits
       static_cast<double>(number("samples_per_pixel", 0xffffffff));
+  info.first_sample =
+      static_cast<std::uint32_t>(number("first_sample", 0xffffffff));
   info.seed = number("seed");
   info.max_bounces = static_cast<int>(number("max_bounces", 0x7fffffff));
   info.scene_hash = text("scene_hash");

@@ -141,6 +141,11 @@ void add_render_options(CLI::App& app, const Program& program,
   add_whole(app, "--spp", options.samples_per_pixel, 1, 1'000'000'000,
             "Samples per pixel")
       ->default_str(or_scene + std::to_string(defaults.samples_per_pixel));
+  add_whole(app, "--first-sample", options.first_sample, std::uint32_t{0},
+            std::uint32_t{3'000'000'000},
+            "Number of each pixel's first sample; stage-merge joins pictures "
+            "of other samples")
+      ->default_str("0");
   add_whole(app, "--max-bounces", options.max_bounces, 0,
             program.bounce_limit, "Longest path, in bounces")
       ->default_str(or_scene + std::to_string(program.default_bounces));

@@ -26,6 +26,7 @@ struct Options {
   std::optional<std::string> report;
   std::optional<PixelSample> pixel;  ///< whose path to tell
   std::optional<int> samples_per_pixel, max_bounces, threads;
+  std::optional<std::uint32_t> first_sample;
   std::optional<std::uint64_t> seed;
   std::optional<Sampling> sampling;
   std::optional<ImageSize> size;

@@ -18,6 +18,7 @@ std::string to_json(const Report& report) {
       {"height", report.height},
       {"samples_per_pixel",
        static_cast<std::uint64_t>(info.samples_per_pixel)},
+      {"first_sample", info.first_sample},
       {"max_bounces", info.max_bounces},
       {"seed", info.seed},
       {"threads", report.threads},

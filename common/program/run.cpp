@@ -48,6 +48,7 @@ RenderSettings settings_for(const Program& program, const Options& options,
   RenderSettings settings;
   settings.samples_per_pixel = options.samples_per_pixel.value_or(
       loaded.samples_per_pixel.value_or(settings.samples_per_pixel));
+  settings.first_sample = options.first_sample.value_or(0);
   settings.max_bounces = options.max_bounces.value_or(
       loaded.max_bounces.value_or(program.default_bounces));
   settings.seed = options.seed.value_or(settings.seed);

@@ -116,7 +116,8 @@ inline RenderResult develop(const Film& film, RenderInfo info) {
       info.samples += samples;
       info.dropped += pixel.dropped;
       if (pixel.dropped > 0 && !info.first_dropped) {
-        info.first_dropped = {column, row, pixel.first_dropped};
+        info.first_dropped = {column, row,
+                              info.first_sample + pixel.first_dropped};
       }
     }
   }

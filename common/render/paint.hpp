@@ -55,7 +55,8 @@ RenderResult paint(Scene& scene, const RenderSettings& settings,
   Film film(scene.camera.width, scene.camera.height);
   render(tile_renderer<PathTracer>(scene, settings), settings, film, stop,
          progress);
-  return develop(film, {.seed = settings.seed,
+  return develop(film, {.first_sample = settings.first_sample,
+                        .seed = settings.seed,
                         .max_bounces = settings.max_bounces,
                         .rays = progress.rays});
 }

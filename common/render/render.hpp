@@ -143,7 +143,9 @@ inline void render(const TileRenderer& render_tile,
     // As many as are done already, so the first picture is there at once.
     const std::uint32_t more = std::clamp(done, 1u, max_samples_in_a_pass);
     const std::uint32_t last = done + std::min(more, samples - done);
-    render_pass(render_tile, film, done, last, threads, stop, progress);
+    const std::uint32_t first = settings.first_sample;
+    render_pass(render_tile, film, first + done, first + last, threads, stop,
+                progress);
     done = last;
   }
 }

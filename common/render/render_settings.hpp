@@ -15,6 +15,7 @@ inline constexpr int bounce_cap = 4096;
 /// the picture.
 struct RenderSettings {
   int samples_per_pixel = 64;
+  std::uint32_t first_sample = 0;  ///< others are rendered elsewhere
   int max_bounces = bounce_cap;
   std::uint64_t seed = 1;
   Sampling sampling = Sampling::cosine;
