@@ -197,8 +197,8 @@ class Geometry {
     }
 
     template <class Shape, class Pack>
-    LIGHTWALK_NOINLINE void consider_tree(const ShapeList<Shape, Pack>& list,
-                                          const Ray& ray) {
+    LIGHTWALK_NOINLINE LIGHTWALK_FLATTEN void consider_tree(
+        const ShapeList<Shape, Pack>& list, const Ray& ray) {
       float end = smallest(distance);
       list.tree().walk(ray, end, [&](std::uint32_t i) {
         const std::int32_t number = packs_seen + static_cast<std::int32_t>(i);
@@ -231,7 +231,7 @@ class Geometry {
   }
 
   template <class Shape, class Pack>
-  LIGHTWALK_NOINLINE static bool tree_occludes(
+  LIGHTWALK_NOINLINE LIGHTWALK_FLATTEN static bool tree_occludes(
       const ShapeList<Shape, Pack>& list, const Ray& ray, float distance,
       std::int32_t first) {
     bool occluded = false;

@@ -12,8 +12,8 @@
 // take the next. The idea of the picture does not change. The estimator is
 // stage 5's, and so are the random numbers. Even the picture is the same, to
 // the last bit. In the lab's box, with its seven shapes, stage 6 makes it
-// four to six times as fast. With a thousand shapes hardly anything is
-// gained; why is said at the end.
+// four to six times as fast. With a thousand shapes little is gained; why is
+// said at the end.
 //
 // ![](one-and-sixteen)
 //
@@ -665,8 +665,8 @@ inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
 //
 // From 64 shapes of one type on, the search uses a tree of boxes, and there
 // 16 rays take 16 different ways. So each ray searches alone, as in stage 5.
-// The rest of a step still works on rows, but with a thousand shapes hardly
-// anything is gained.
+// The rest of a step still works on rows, but with a thousand shapes most of
+// the time goes into the search. Little is gained.
 //
 // See for yourself which registers you have, and what the bits are:
 //

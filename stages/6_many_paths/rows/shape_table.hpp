@@ -11,7 +11,9 @@
 // near the first one counts, as in geometry/geometry.hpp.
 
 #include <algorithm>
+#include <deque>
 #include <unordered_map>
+#include <variant>
 #include <vector>
 
 #include "common/scene/scene.hpp"
@@ -24,7 +26,8 @@ namespace lightwalk {
 
 class ShapeTable {
  public:
-  explicit ShapeTable(const Scene& scene) : geometry_(scene.geometry) {
+  explicit ShapeTable(const Scene& scene)
+      : geometry_(scene.geometry), lights_(scene.lights) {
     std::unordered_map<const Light*, std::int32_t> lights{{nullptr, -1}};
     std::unordered_map<const Material*, std::int32_t> materials;
     for (const Light& light : scene.lights) {
@@ -37,6 +40,7 @@ class ShapeTable {
       lines_.resize(index(hit.slot) + 1);
       lines_.back() = static_cast<std::int32_t>(hits_.size());
       hits_.push_back(hit);
+      slot_.push_back(hit.slot);
       material_.push_back(known.first->second);
       light_.push_back(lights.at(shape.light));
       add(shape);
@@ -66,9 +70,13 @@ class ShapeTable {
 
   /// Whether each ray reaches a light of the scene, by its number: it meets
   /// nothing before `distance` but the light itself. A point light has no
-  /// shape that could be met.
+  /// shape that could be met, so the search may stop at any shape.
   HWY_INLINE Mask reach(const Rays& rays, const Floats& distance,
                         std::int32_t light, const Mask& wanted) const {
+    const auto& form = lights_[index(light)].form;
+    if (geometry_.has_tree() && std::holds_alternative<PointLight>(form)) {
+      return !occluded_one_by_one(rays, distance, wanted);
+    }
     const First first = search(rays, distance, wanted);
     const Mask is_light = light_.at(first.line) == Ints(light);
     return is_light | !(first.distance < distance);
@@ -84,12 +92,6 @@ class ShapeTable {
     hit.rounding = hits.rounding[lane];
     hit.diameter = hits.diameter[lane];
     return hit;
-  }
-  Ray ray(const Rays& rays, int lane) const {
-    const std::int32_t line = rays.origin_slot[lane];
-    return {rays.origin[lane], rays.direction[lane],
-            line == no_slot ? no_slot : hits_[index(line)].slot,
-            rays.self_hit_distance[lane]};
   }
   void set_ray(Rays& rays, int lane, const Ray& ray) const {
     rays.origin.set(lane, ray.origin);
@@ -178,18 +180,41 @@ class ShapeTable {
   }
   // #endregion together
 
-  LIGHTWALK_NOINLINE First search_one_by_one(const Rays& rays,
-                                             const Floats& limit,
-                                             const Mask& wanted) const {
+  LIGHTWALK_NOINLINE LIGHTWALK_FLATTEN First search_one_by_one(
+      const Rays& rays, const Floats& limit, const Mask& wanted) const {
     First first{limit};
-    for_each_lane(wanted, [&](int lane) {
+    for_each_ray(rays, wanted, [&](int lane, const Ray& ray) {
       const float end = limit[lane];
-      const auto closest = geometry_.intersect(ray(rays, lane), end);
+      const auto closest = geometry_.intersect(ray, end);
       if (!(closest.distance < end)) return;
       first.distance.set(lane, closest.distance);
       first.line.set(lane, lines_[index(closest.slot)]);
     });
     return first;
+  }
+
+  /// Whether each ray meets any shape before `distance`.
+  LIGHTWALK_NOINLINE LIGHTWALK_FLATTEN Mask occluded_one_by_one(
+      const Rays& rays, const Floats& distance, const Mask& wanted) const {
+    unsigned occluded = 0;
+    for_each_ray(rays, wanted, [&](int lane, const Ray& ray) {
+      if (geometry_.occluded(ray, distance[lane])) occluded |= 1u << lane;
+    });
+    return mask_of(occluded);
+  }
+
+  /// Calls `use(lane, ray)` for each lane that is wanted, with its ray as the
+  /// geometry knows it. The slots are looked up for all lanes at once.
+  template <class Use>
+  HWY_INLINE void for_each_ray(const Rays& rays, const Mask& wanted,
+                               Use use) const {
+    const Ints& line = rays.origin_slot;
+    const Ints slot = select(line > Ints(no_slot),
+                             slot_.at(max(line, Ints(0))), Ints(no_slot));
+    for_each_lane(wanted, [&](int lane) {
+      use(lane, Ray{rays.origin[lane], rays.direction[lane], slot[lane],
+                    rays.self_hit_distance[lane]});
+    });
   }
 
   // ## The hit
@@ -253,6 +278,7 @@ class ShapeTable {
   }
 
   const Geometry& geometry_;
+  const std::deque<Light>& lights_;
   std::vector<PlaneIntersector<Vec3, float>> planes_;
   std::vector<SphereIntersector<Vec3, float>> spheres_;
   std::vector<FlatForm<Rectangle, Vec3, float>> rectangles_;
@@ -262,7 +288,7 @@ class ShapeTable {
   Vec3Column vector_;   ///< a normal, or a sphere's center
   Column<float> size_;  ///< a plane's distance, a sphere's radius
   Vec3Column corner_;
-  Column<std::int32_t> material_, light_;
+  Column<std::int32_t> slot_, material_, light_;
   std::vector<Hit> hits_;            ///< what is the same in all of a line's
   std::vector<std::int32_t> lines_;  ///< the line of each slot
   std::vector<const Material*> materials_;
