@@ -50,12 +50,14 @@ inline void check_same_picture(const Part& first, const Part& part) {
 inline void check_part(const Part& part) {
   const RenderResult& result = part.result;
   if (part.count() == 0 || result.variance.pixels.empty()) {
-    throw std::runtime_error(part.name + " does not say which samples it has");
+    throw std::runtime_error(part.name +
+                             " does not say which samples it has");
   }
   if (result.info.dropped > 0) {
     throw std::runtime_error(
-        part.name + " lacks samples that were not finite, and does not say "
-                    "in which pixels: it cannot be weighed");
+        part.name +
+        " lacks samples that were not finite, and does not say "
+        "in which pixels: it cannot be weighed");
   }
 }
 
@@ -73,7 +75,8 @@ inline RenderResult merged(std::vector<Part> parts) {
   std::vector<double> means, squares;  // as in Pixel
   const auto for_each_value = [&](auto use) {
     for (std::size_t i = 0; i < whole.radiance.pixels.size(); ++i) {
-      for (int c = 0; c < 3; ++c) use(i, c, 3 * i + static_cast<std::size_t>(c));
+      for (int c = 0; c < 3; ++c)
+        use(i, c, 3 * i + static_cast<std::size_t>(c));
     }
   };
   means.assign(3 * whole.radiance.pixels.size(), 0);

@@ -22,8 +22,7 @@ int main(int argc, char** argv) {
   const std::string example = "build/stage-merge a.pfm b.pfm -o whole.pfm";
   std::vector<std::string> names;
   std::string output;
-  CLI::App app("Joins pictures of other samples of the same pixels",
-               program);
+  CLI::App app("Joins pictures of other samples of the same pixels", program);
   app.formatter(
       std::make_shared<HelpText>(example, "PART... -o WHOLE [OPTION]..."));
   app.allow_windows_style_options(false);
@@ -35,7 +34,8 @@ int main(int argc, char** argv) {
       "Each part was rendered with its own --first-sample: of 128 samples\n"
       "`--spp 64` is the first half, and `--spp 64 --first-sample 64` the "
       "other.\nA sample that is in two parts or in none, and parts of other "
-      "pictures, are\nerrors. Exit codes: 0 done, 1 could not, 2 wrong usage.");
+      "pictures, are\nerrors. Exit codes: 0 done, 1 could not, 2 wrong "
+      "usage.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
@@ -44,8 +44,8 @@ int main(int argc, char** argv) {
     return wrong_usage(program, what_is_wrong(app, error));
   }
   if (names.empty() || output.empty()) {
-    return wrong_usage(program, "parts and an output are required, as in '" +
-                                    example + "'");
+    return wrong_usage(
+        program, "parts and an output are required, as in '" + example + "'");
   }
   ignore_failing_writes();
   try {

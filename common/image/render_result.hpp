@@ -20,8 +20,8 @@ struct PixelSample {
 
 /// Where a picture comes from. Image files store what `texts_of` lists.
 struct RenderInfo {
-  std::string stage = {};        ///< the program, such as "stage1"
-  double samples_per_pixel = 0;  ///< of the pixel that has fewest
+  std::string stage = {};          ///< the program, such as "stage1"
+  double samples_per_pixel = 0;    ///< of the pixel that has fewest
   std::uint32_t first_sample = 0;  ///< of each pixel
   std::uint64_t seed = 0;
   int max_bounces = 0;

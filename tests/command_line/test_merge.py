@@ -53,7 +53,8 @@ class Merge(InFolder):
     def test_a_part_has_the_samples_that_it_says(self):
         # The sum of 3 and 1 samples is that of 4: with other samples it would not be.
         three, one, four = (
-            floats(self.part(*which, name=name))[0] for *which, name in ((0, 3, "a"), (3, 1, "b"), (0, 4, "c"))
+            floats(self.part(*which, name=name))[0]
+            for *which, name in ((0, 3, "a"), (3, 1, "b"), (0, 4, "c"))
         )
         for a, b, c in zip(three, one, four):
             self.assertAlmostEqual((3 * a + b) / 4, c, delta=1e-6 * (abs(a) + abs(b) + 1e-3))

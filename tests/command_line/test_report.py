@@ -11,7 +11,7 @@ BOX = SCENES / "cornell_box_ceiling_diffuse.toml"
 SMALL = ["--size", "12x8", "--spp", "5", "--max-bounces", "3"]
 
 KEYS = (
-    "program scene scene_hash width height samples_per_pixel max_bounces seed "
+    "program scene scene_hash width height samples_per_pixel first_sample max_bounces seed "
     "threads seconds cpu_seconds samples rays samples_per_second "
     "rays_per_sample dropped interrupted version outputs"
 ).split()
@@ -47,7 +47,7 @@ class Reports(Programs):
             self.assertEqual({key: report[key] for key in expected}, expected)
             # The same as in the image.
             pfm = self.bytes_of("a.pfm")
-            for key in ["scene_hash", "rays", "seed", "samples_per_pixel", "max_bounces", "dropped"]:
+            for key in ["scene_hash", "rays", "seed", "samples_per_pixel", "first_sample", "max_bounces", "dropped"]:
                 self.assertIn(f"\n# {key} {report[key]}\n".encode(), pfm)
 
     def test_figures_fit_together(self):
