@@ -4,7 +4,7 @@
 # Against injection: what users type goes to programs through the environment,
 # unexpanded, and recipes use it as a quoted shell variable.
 typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS STAGE OUT INTO \
-  SOLUTIONS ORDERS FRESH SECONDS LIMIT BUILD
+  SOLUTIONS ORDERS FRESH SECONDS LIMIT FROM ROSTER HIDDEN HIDE ONLY ENGINE BUILD
 $(foreach name,$(typed),$(eval override $(name) := $$(value $(name))))
 export $(filter-out BUILD,$(typed))
 
@@ -29,7 +29,7 @@ scene  := $(or $(scene_$(newest)),scenes/cornell_box_point.toml)
 .PHONY: picture help setup build test bench bench-peers measured mistakes goldens \
   mutants diff null-test bench-compare fuzz \
   format clean check watch hint handout handouts test-fresh single-header \
-  test-single-header test-windows $(stages) $(addprefix test-,$(stages))
+  test-single-header test-windows class test-class $(stages) $(addprefix test-,$(stages))
 include tools/site.mk
 
 # Where the Python programs look for what was built.
@@ -58,6 +58,10 @@ To teach
                      (SOLUTIONS=none opens the earlier stages, too)
   make handout STAGE=4 INTO=folder   the next stage, into a student's folder
   make handouts      test all handouts, from open to solved
+  make class FROM=folder STAGE=3     grade the submissions in a folder, in a sandbox:
+                     a page with pictures, points.csv; OUT=folder, ROSTER=file.csv,
+                     HIDDEN=folder (scenes of your own), HIDE=1 (no names on the
+                     page), ONLY=name (one again, explained), ENGINE=slurm
   make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml
                      render and compare two stages, images or programs
   make book          weave the book: $(BUILD)/book/index.html; make book-pdf prints it
@@ -66,6 +70,7 @@ To teach
 To work on it
   make test          run all tests but the site's
   make test-site     test the book and the slides, in a browser too
+  make test-class    test the grading of a class, and a Slurm of one node
   make test-single-header, make test-windows, make test-fresh
                      with other compilers, under wine, on new Debian systems
   make mistakes      put known mistakes into the stages: what do the tests catch?
@@ -94,7 +99,7 @@ setup:
 	@tools/setup.sh $(printed)
 
 # What other targets need in addition.
-setups := $(addprefix setup-,site slides fuzz bench peers windows compilers fresh all)
+setups := $(addprefix setup-,site slides class slurm fuzz bench peers windows compilers fresh all)
 .PHONY: $(setups)
 $(setups): setup-%: setup
 	@tools/setup.sh $* $(printed)
@@ -142,6 +147,19 @@ handout: setup
 # Five to ten minutes; ORDERS=1 inserts the solutions in the chapter's order only.
 handouts: setup
 	@python3 -m tools.handout.prove --orders "$${ORDERS:-2}"
+
+# Grades the submissions in FROM, each in a sandbox.
+class: setup-class $(BUILD)/CMakeCache.txt
+	@[ -n "$$FROM" ] && [ -n "$$STAGE" ] || { \
+	  echo "class: FROM=folder and STAGE=number are required" >&2; exit 2; }
+	@python3 -B -m tools.grading "$$FROM" "$$STAGE" --jobs $(JOBS) \
+	  $${OUT:+--out "$$OUT"} $${ROSTER:+--roster "$$ROSTER"} \
+	  $${HIDDEN:+--hidden "$$HIDDEN"} $${HIDE:+--hide-names} \
+	  $${ONLY:+--only "$$ONLY"} $${ENGINE:+--engine "$$ENGINE"}
+
+test-class: setup-class setup-slurm $(BUILD)/CMakeCache.txt
+	@$(compile) stage1 stage1_tests stage-diff
+	@python3 -B -m tests.scripts tools/grading/test_grading.py
 
 # make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml OPTIONS="--spp 64": A and
 # B may be stages, images, or programs. Exit code 1 if they differ.

@@ -25,6 +25,8 @@ BUILD = """cmake doctest-dev g++ git libbenchmark-dev libcli11-dev libglm-dev li
 OTHERS = {
     "site": "clang libc++-dev-wasm32 libclang-rt-dev-wasm32 lld nodejs npm wasi-libc",
     "slides": "chromium fonts-dejavu-core",
+    "class": "bubblewrap util-linux",
+    "slurm": "munge slurm-client slurmctld slurmd",
     "fuzz": "clang libclang-rt-dev",
     "bench": "libbenchmark-tools",
     "peers": "libllvm16",

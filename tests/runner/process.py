@@ -1,4 +1,4 @@
-"""Runs a suite as a separate process, and kills everything that it starts."""
+"""Runs a separate process, and kills everything that it starts."""
 
 import contextlib
 import ctypes
@@ -16,6 +16,8 @@ from tests.runner import watch
 # Of a suite's output this many bytes of the beginning, and as many of the end,
 # are kept.
 MAX_PRINTED = 16_000
+# A process that prints more than this is stopped.
+MAX_LEFT_OUT = 1 << 30
 CHUNK = 1 << 16
 # All processes that a suite starts have this variable in their environment.
 MARK = "LIGHTWALK_SUITE"
@@ -24,7 +26,7 @@ if sys.platform == "linux":
 
 
 class Printed:
-    """The beginning and the end of a suite's output."""
+    """The beginning and the end of a process's output."""
 
     def __init__(self):
         self.first = self.last = b""
@@ -61,29 +63,39 @@ def kill_all(process, mark):
                 os.kill(int(path.parent.name), signal.SIGKILL)
 
 
-def listen(command, report, printed, limits, **options):
-    """Runs the suite to its end, or until a limit stops it. Returns its exit
-    code, and why it was stopped."""
+def follow(
+    command, feeds, printed, limits, steps=lambda: 0, watcher=watch.Watch, owner=None, pass_fds=(), **options
+):
+    """Runs a command to its end, or until a limit stops it. Each of `feeds` takes what
+    comes out of a pipe: `command` makes the words from the pipes' descriptors, and `owner`
+    is the user who opens them by name. Returns the exit code, and why the process was
+    stopped."""
     mark = uuid.uuid4().hex
-    reading, writing = os.pipe()
     with contextlib.ExitStack() as at_the_end:
-        at_the_end.callback(os.close, reading)
+        pairs = [os.pipe() for _ in feeds]
+        writing = [end for _, end in pairs]
+        for reading, end in pairs:
+            at_the_end.callback(os.close, reading)
+            if owner is not None:
+                os.fchown(end, owner, owner)
         try:
             process = subprocess.Popen(
-                [*command, f"-o=/dev/fd/{writing}"],
+                command(*writing),
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
-                pass_fds=[writing],
+                pass_fds=[*writing, *pass_fds],
                 start_new_session=True,
                 preexec_fn=in_the_suite,
                 **options | {"env": options["env"] | {MARK: mark}},
             )
         finally:
-            os.close(writing)
+            for end in writing:
+                os.close(end)
         at_the_end.callback(process.stdout.close)
         at_the_end.callback(process.wait)
-        readers = {reading: report.feed, process.stdout.fileno(): printed.feed}
+        readers = {reading: feed for (reading, _), feed in zip(pairs, feeds)}
+        readers[process.stdout.fileno()] = printed.feed
         pipes = at_the_end.enter_context(selectors.DefaultSelector())
         for end in readers:
             os.set_blocking(end, False)
@@ -99,28 +111,38 @@ def listen(command, report, printed, limits, **options):
                     pipes.unregister(key.fd)
             return bool(ready)
 
-        def steps():
+        def read_steps():
             # A pipe holds a CHUNK, and more may arrive at any time.
             for _ in range(4):
                 if not read(0):
                     break
-            return report.steps
+            return steps()
 
-        watcher, stopped = watch.Watch(process.pid, *limits), ""
+        watching, stopped = watcher(process.pid, *limits), ""
         try:
             while process.poll() is None and not stopped:
                 if pipes.get_map():
                     read(watch.PERIOD)
-                else:  # the suite has closed its pipes, and is about to end
+                else:  # the process has closed its pipes, and is about to end
                     with contextlib.suppress(subprocess.TimeoutExpired):
                         process.wait(watch.PERIOD)
-                stopped = watcher.look(steps)
-            steps()
+                stopped = "much" if printed.left_out > MAX_LEFT_OUT else watching.look(read_steps)
+            read_steps()
         finally:
             # A process that holds a pipe is left.
             if process.poll() is None or pipes.get_map():
                 kill_all(process, mark)
     return process.returncode, stopped
+
+
+def listen(command, report, printed, limits, feeds=(), **options):
+    """Runs a suite, whose report comes out of a pipe of its own; `feeds` take others."""
+
+    def words(writing, *others):
+        given = command(*others) if callable(command) else command
+        return [*given, f"-o=/dev/fd/{writing}"]
+
+    return follow(words, [report.feed, *feeds], printed, limits, lambda: report.steps, **options)
 
 
 def run_to_the_end(command, report, printed, limits, **options):

@@ -61,11 +61,12 @@ def broken_off(report, code, stopped, printed, limits):
         when = f' during the test\n"{report.running}"\n'
     seconds, idle_seconds = limits
     if stopped:
-        why = (
-            f"which had used {seconds:g} seconds of processor time. An endless loop or path?"
-            if stopped == "busy"
-            else f"in which no thread had run for {idle_seconds:g} seconds. A lock that is never released?"
-        )
+        why = {
+            "busy": f"which had used {seconds:g} seconds of processor time. An endless loop or path?",
+            "idle": f"in which no thread had run for {idle_seconds:g} seconds. A lock that is never released?",
+            "much": "which had printed more than a gigabyte. An endless loop?",
+            "memory": "which had used up the memory that it may have. Something that grows without an end?",
+        }[stopped]
         return "time limit", f"The tests do not end: stopped{when}{why}"
     if code < 0:
         return "crash", f"The tests crashed{when}{crash_in_words(-code, printed)}"
@@ -80,27 +81,33 @@ def broken_off(report, code, stopped, printed, limits):
     return "", ""
 
 
-def run(program, *options, seconds=None, idle_seconds=watch.IDLE_SECONDS, environment=None):
-    """Runs a suite as one process, with these doctest options."""
+def run(
+    program, *options, seconds=None, idle_seconds=watch.IDLE_SECONDS, environment=None, within=None, **others
+):
+    """Runs a suite as one process, with these doctest options. `within` makes the words
+    before the command from the descriptors of the pipes of `feeds` (process.listen)."""
     program = Path(program).absolute()
     limits = seconds or watch.seconds_for(program.parent), idle_seconds
     command = [program, *options, "-r=suite", "--no-skipped-summary"]
+    words = (lambda *pipes: [*within(*pipes), *command]) if within else command
     report, printed = DoctestReport(), process.Printed()
     code, stopped = (process.run_to_the_end if os.name == "nt" else process.listen)(
-        command, report, printed, limits, cwd=program.parent, env=os.environ | (environment or {})
+        words, report, printed, limits, cwd=program.parent, env=os.environ | (environment or {}), **others
     )
+    if within and code > 128:
+        code = 128 - code  # a signal, as a shell says it
     text = printed.text()
     end, why = broken_off(report, code, stopped, text, limits)
     return Outcome(str(program), report.tests, report.notes, text, end, why)
 
 
-def run_by_kinds(program, *options, first_only=False, **others):
+def run_by_kinds(program, *options, first_only=False, kinds=KINDS, run=run, **others):
     """The same, the sharpest tests first, and of each kind the stage's own before
     those that every stage has. If these do not reach their end, the others are not
     run; with `first_only` the first check that fails ends the run."""
     options = [*options, "--abort-after=1"] if first_only else options
     whole = Outcome(str(Path(program).absolute()))
-    for (kind, name), place in itertools.product(enumerate(KINDS), ("-sfe", "-sf")):
+    for (kind, name), place in itertools.product(enumerate(kinds), ("-sfe", "-sf")):
         chosen = f"-ts={name}"
         if kind == SCENES:  # and those in no suite
             chosen = f"-tse={','.join(other for other in KINDS if other != name)}"

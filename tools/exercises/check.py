@@ -122,8 +122,7 @@ def built(stage, header):
 
 def list_of(verdict):
     for one in verdict.exercises:
-        state = f"not run: needs {one.needs}" if one.state == "waits" else one.state
-        state = "wrong in the whole stage" if verdict.is_late(one) else state
+        state = ("not run: " if one.state == "waits" else "") + verdict.state_of(one)
         yield f"  {one.number:5}{one.title:44}{state}"
 
 

@@ -12,9 +12,9 @@ import re
 import time
 
 from tests.runner import report, suite
-from tools.exercises.marks import marks
+from tools.exercises.marks import marks, place_in_tree
 from tools.exercises.sheet import read_tasks
-from tools.tree import ROOT, exact_tests_filter, program_path, stage_headers, tests_filter, text_of
+from tools.tree import exact_tests_filter, program_path, stage_headers, tests_filter, text_of
 
 LOOP = "path loop (given)"
 
@@ -62,6 +62,15 @@ class Verdict:
         """Whether the whole stage speaks of this exercise, which passes its own tests."""
         return self.late is not None and one.number == self.late.number
 
+    def state_of(self, one):
+        """In words."""
+        if self.is_late(one):
+            return "wrong in the whole stage"
+        return f"needs {one.needs}" if one.state == "waits" else one.state
+
+    def points_of(self, one):
+        return 0 if self.is_late(one) else one.points
+
     @property
     def done(self):
         """The exercises that are right, in the whole stage too."""
@@ -104,15 +113,15 @@ def open_before(stage):
     ]
 
 
-def judge(stage, header):
-    """The verdict on a stage whose tests are built."""
+def judge(stage, header, run=run_suite):
+    """The verdict on a stage whose tests are built. `run` runs them, with doctest's options."""
     found = {one.number: one for one in marks(header)}
     missing = {one.number: "open" for one in open_before(stage)}
     exercises, states, ran = [], dict(missing), []
     verdict = Verdict(exercises)
     for number, task in read_tasks(header).items():
         mark = found.get(number)
-        where = mark.where if mark else header.relative_to(ROOT).as_posix()
+        where = mark.where if mark else place_in_tree(header)
         one = Judged(number, mark.title if mark else "", where, task)
         exercises.append(one)
         waits = next((need for need in task["needs"] if states.get(need, "done") != "done"), None)
@@ -122,7 +131,7 @@ def judge(stage, header):
             one.state, one.needs = "waits", waits
         else:
             start = time.perf_counter()
-            outcome = run_suite(stage, f"-tc={tests_filter(task['tests'])}")
+            outcome = run(stage, f"-tc={tests_filter(task['tests'])}")
             one.seconds = time.perf_counter() - start
             ran += [test.name for test in outcome.tests]
             verdict.take_notes(outcome)
@@ -134,13 +143,13 @@ def judge(stage, header):
                     one.state, one.test, one.says = "wrong", first_test(outcome), explained(outcome)
         states[number] = one.state
     if all(one.state == "done" for one in exercises):
-        judge_the_rest(stage, header, verdict, ran)
+        judge_the_rest(stage, header, verdict, ran, run)
     return verdict
 
 
-def judge_the_rest(stage, header, verdict, ran):
+def judge_the_rest(stage, header, verdict, ran, run):
     """Runs the tests that no exercise has."""
-    outcome = run_suite(stage, f"-tce={exact_tests_filter(ran)}")
+    outcome = run(stage, f"-tce={exact_tests_filter(ran)}")
     verdict.take_notes(outcome)
     if outcome.passed or not (outcome.tests or outcome.why):
         return
@@ -165,11 +174,7 @@ def last_in_the_loop(header, exercises):
     last = exercises[-1]
     if loop and int(last.where.rpartition(":")[2] or 0) > loop:
         return last
-    return Judged("", LOOP, f"{header.relative_to(ROOT).as_posix()}:{loop}", {})
-
-
-def state_of(one):
-    return f"needs {one.needs}" if one.state == "waits" else one.state
+    return Judged("", LOOP, f"{place_in_tree(header)}:{loop}", {})
 
 
 def as_json(stage, title, verdict, error):
@@ -182,8 +187,8 @@ def as_json(stage, title, verdict, error):
         {
             "number": one.number,
             "title": one.title,
-            "state": state_of(one),
-            "points": one.points,
+            "state": verdict.state_of(one),
+            "points": verdict.points_of(one),
             "out_of": one.task.get("points", 0),
             "test": one.test,
             "message": one.says,
@@ -220,7 +225,8 @@ def as_markdown(stage, title, verdict, error):
     ]
     for one in verdict.exercises:
         lines.append(
-            f"| {one.number} | {one.title} | {state_of(one)} | {one.points}/{one.task.get('points', 0)} |"
+            f"| {one.number} | {one.title} | {verdict.state_of(one)} "
+            f"| {verdict.points_of(one)}/{one.task.get('points', 0)} |"
         )
     first = verdict.first
     if first and first.says:

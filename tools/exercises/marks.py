@@ -19,7 +19,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tools.tree import ROOT, Failure, stage_headers, text_of
+from tools.tree import Failure, stage_headers, text_of
 
 LONGEST = 20
 REGION = re.compile(r"// #(end)?region ([\w-]+)$")
@@ -47,7 +47,7 @@ class Exercise:
 
     @property
     def where(self):
-        return f"{self.path.relative_to(ROOT)}:{self.start}"
+        return f"{place_in_tree(self.path)}:{self.start}"
 
     @property
     def is_open(self):
@@ -56,6 +56,11 @@ class Exercise:
     @property
     def anchor(self):
         return "exercise-" + self.number.replace(".", "-")
+
+
+def place_in_tree(path):
+    """stages/3_.../path_tracer.hpp, in whatever tree it is."""
+    return "/".join(path.parts[-3:])
 
 
 def order(number):
@@ -104,12 +109,12 @@ def exercises(path):
     return found
 
 
-def marks(path, root=ROOT):
-    """The header's exercises in any state, in a tree that begins at root."""
+def marks(path):
+    """The header's exercises in any state."""
     found, region, now = [], None, None
     for number, line in enumerate(text_of(path).splitlines(), 1):
         bare = line.strip()
-        where = f"{path.relative_to(root)}:{number}"
+        where = f"{place_in_tree(path)}:{number}"
         marker = REGION.match(bare)
         if bare.startswith("// #region exercise"):
             if now:
@@ -146,7 +151,7 @@ def hidden(found):
 def main():
     for header in stage_headers():
         for one in exercises(header):
-            print(f"{one.number}  {one.title}  {one.path.relative_to(ROOT)}:{one.first}-{one.last}")
+            print(f"{one.number}  {one.title}  {place_in_tree(one.path)}:{one.first}-{one.last}")
 
 
 if __name__ == "__main__":

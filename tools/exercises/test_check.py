@@ -142,16 +142,10 @@ class Compiler(unittest.TestCase):
             header.write_text(
                 f"// #region a\n// #region exercise 3.1: x\n// #stub return 0;\n{body}// #endregion\n"
             )
-            with mock.patch.multiple(check, ROOT=Path(folder), marks=lambda h: check_marks(h, Path(folder))):
+            with mock.patch.object(check, "ROOT", Path(folder)):
                 seen = list(check.integer_divisions(header))
         self.assertEqual(len(seen), 1, seen)
         self.assertIn("path_tracer.hpp:4: 1 / 2 is a division of integers: 0. Write 1.0f / 2.", seen[0])
-
-
-def check_marks(header, root):
-    from tools.exercises.marks import marks
-
-    return marks(header, root)
 
 
 class Configured(unittest.TestCase):
@@ -248,13 +242,9 @@ class Verdicts(unittest.TestCase):
             for number in self.TASKS
         ]
         with mock.patch.multiple(
-            judge,
-            run_suite=run,
-            marks=lambda _: found,
-            read_tasks=lambda _: self.TASKS,
-            open_before=lambda _: [],
+            judge, marks=lambda _: found, read_tasks=lambda _: self.TASKS, open_before=lambda _: []
         ):
-            return judge.judge(3, header), ran
+            return judge.judge(3, header, run), ran
 
     def states(self, **options):
         verdict, _ = self.judged(**options)

@@ -36,7 +36,7 @@ class Opened(unittest.TestCase):
                 path = Path(folder) / header.relative_to(ROOT)
                 path.parent.mkdir(parents=True)
                 path.write_text(text)
-                found = marks(path, Path(folder))
+                found = marks(path)
             self.assertEqual([one.number for one in found], [one.number for one in exercises(header)])
             for one in found:
                 self.assertTrue(one.is_open, one.number)

@@ -1,0 +1,256 @@
+"""Judges one submission: compiles it, asks the tests, and looks at its pictures.
+
+All of the student's code runs in the sandbox, and what judges it runs outside. It
+believes that a test has passed if the line that says so has the grader's secret
+(seal.cpp), and if just the tests have run that the reference runs. Pictures are
+rendered by the student's program and compared out here.
+"""
+
+import dataclasses
+import functools
+import hashlib
+import json
+import os
+import secrets
+import subprocess
+
+from tests.runner import report, suite
+from tools.exercises import compiler
+from tools.exercises.judge import as_json, judge, last_in_the_loop
+from tools.exercises.marks import marks
+from tools.grading.pictures import picture_files
+from tools.grading import sandbox, screen
+from tools.grading.submissions import Refused
+from tools.grading.workshop import SAMPLES
+from tools.tree import BUILD, SCENES, Failure, program_path
+
+COMPILING = sandbox.Limits(seconds=60, memory=2048 * sandbox.MB)
+RUNNING = sandbox.Limits(seconds=300, memory=2048 * sandbox.MB)
+# A picture takes a right program a second.
+RENDERING = sandbox.Limits(seconds=30, memory=2048 * sandbox.MB)
+MOST_SAID = 4000
+KINDS = [kind for kind in report.KINDS if kind != "golden images"]
+STOPPED = {
+    "busy": "does not end: it was stopped after {0.seconds} seconds of processor time",
+    "idle": "does not end, and waits: it was stopped",
+    "memory": "takes more than {0.memory} bytes of memory: it was stopped",
+    "much": "writes more than it may: it was stopped",
+}
+
+
+def grade(submission, workshop, folder):
+    """The result as a dictionary, from the folder's result.json where nothing has
+    changed; else it is written there, whole."""
+    kept = folder / "result.json"
+    try:
+        header = submission.header(workshop.stage) if submission.path else b""
+        refused = "" if submission.path else "nothing was handed in"
+    except Refused as error:
+        header, refused = b"", str(error)
+    key = hashlib.sha256(header + refused.encode() + workshop.key.encode()).hexdigest()
+    if kept.exists():
+        result = json.loads(kept.read_text(encoding="utf-8"))
+        if result["key"] == key:
+            return result
+    folder.mkdir(parents=True, exist_ok=True)
+    before = sum(os.times()[:4]) + sandbox.clock.seconds
+    result = {"state": "refused", "error": refused} if refused else judged(header, workshop, folder)
+    result = empty(workshop) | result
+    result |= {"key": key, "header": hashlib.sha256(header).hexdigest() if header else ""}
+    result["seconds"] = round(sum(os.times()[:4]) + sandbox.clock.seconds - before, 2)
+    new = folder / "new.json"
+    new.write_text(json.dumps(result, indent=1), encoding="utf-8")
+    new.replace(kept)
+    return result
+
+
+def empty(workshop):
+    """What every result has: no exercise is done."""
+    tasks = workshop.tasks
+    rows = [
+        {
+            "number": number,
+            "title": title,
+            "state": "not judged",
+            "points": 0,
+            "out_of": task["points"],
+            "test": "",
+            "message": "",
+        }
+        for number, (title, task) in tasks.items()
+    ]
+    out_of = sum(row["out_of"] for row in rows)
+    return {
+        "state": "judged",
+        "error": "",
+        "points": 0,
+        "out_of": out_of,
+        "exercises": rows,
+        "whole_stage": None,
+        "pictures": [],
+    }
+
+
+def judged(header, workshop, folder):
+    """Of a submission that has a header."""
+    text = header.removeprefix(b"\xef\xbb\xbf").decode("utf-8", errors="replace")
+    if remark := screen.remark(text):
+        return {"state": "refused", "error": remark}
+    place = folder / workshop.suite.name
+    place.parent.mkdir(parents=True, exist_ok=True)
+    place.write_bytes(header)
+    place.with_name("exercises.toml").write_bytes(workshop.header.with_name("exercises.toml").read_bytes())
+    try:
+        marks(place)
+    except Failure as error:
+        return {"state": "refused", "error": f"its marks of exercises are broken: {error}"}
+    if broken := build(workshop, folder):
+        return broken
+    dead = []  # the run that ended before its first test: so do all others
+    run = functools.partial(sealed_run, workshop, dead)
+    verdict = judge(workshop.stage, place, functools.partial(run_suite, folder / "tests", run))
+    pictures = []
+    if not dead and all(one.state != "open" for one in verdict.exercises):
+        for one in workshop.pictures:
+            pictures.append(look(one, workshop, folder))
+            if "size" not in pictures[-1]:  # it does not end, or crashes
+                break
+    wrong = next((one for one in pictures if one["wrong"]), None)
+    if wrong and verdict.passed:
+        late = last_in_the_loop(place, verdict.exercises)
+        says = f"{wrong['name']}: {wrong['says']}"
+        verdict.late = dataclasses.replace(
+            late, state="wrong", test=f"the picture of {wrong['name']}", says=says
+        )
+    for path in ("tests", "render", "code.cpp"):
+        (folder / path).unlink(missing_ok=True)
+    return json.loads(as_json(workshop.stage, "", verdict, "")) | {"pictures": pictures}
+
+
+def run_suite(program, run, stage, *options):
+    return suite.run_by_kinds(program, *options, first_only=True, kinds=KINDS, run=run)
+
+
+def stopped_words(done, limits):
+    return STOPPED[done.stopped].format(limits) if done.stopped else f"ended with code {done.code}"
+
+
+def build(workshop, folder):
+    """Compiles and links; returns what went wrong, or nothing."""
+    source, fits = workshop.split(folder)
+    code, tests, program = "/tmp/code.o", "/tmp/tests", "/tmp/render"
+    given, name = workshop.folder, f"stage{workshop.stage}"
+    commands = [workshop.compiling(source, code)]
+    reads = [*workshop.compiler_reads(), (folder / workshop.suite.name, workshop.header), source]
+    objects, main = [], given / "main.o"
+    if not fits:
+        objects, main = ["/tmp/suite.o"], "/tmp/main.o"
+        commands += workshop.compiling_anew(folder / "declared", objects[0], main)
+        reads += [folder / "declared", *workshop.test_reads()]
+    linking = [
+        workshop.linking(f"{name}_tests", [given / "seal.o", code, *objects], tests),
+        workshop.linking(name, [main, code], program),
+    ]
+    reads += [path for words in linking for path in workshop.read_by(words)]
+    commands += linking
+    done = sandbox.run(commands, reads, [tests, program], COMPILING, workshop.suite.folder)
+    if done.stopped:
+        return {"state": "does not compile", "error": f"compiling {stopped_words(done, COMPILING)}"}
+    if done.code:
+        error = compiler.first_error(done.printed.replace(f"{folder}/", ""))
+        if not error.startswith("stages/"):
+            error = f"The tests do not compile with this header: has a name or a type changed?\n{error}"
+        return {"state": "does not compile", "error": error[:MOST_SAID]}
+    for path, data in zip((folder / "tests", folder / "render"), done.files):
+        path.write_bytes(data)
+        path.chmod(0o755)
+    return None
+
+
+def sealed_run(workshop, dead, program, *options, **others):
+    """Runs the suite in the sandbox. A run that passes has the seal on each of its
+    tests, which are those of the reference."""
+    if dead:
+        return dead[0]
+    secret = secrets.token_hex(16).encode()
+    reading, writing = os.pipe()
+    os.write(writing, secret)
+    os.close(writing)
+    lines = sandbox.Taken(sandbox.MB)
+    reads = [SCENES, program, *workshop.libraries()]
+
+    def within(writing, time):
+        seal = {"LIGHTWALK_SEAL": f"{reading},{writing}", "LD_LIBRARY_PATH": str(BUILD)}
+        return sandbox.sandbox(reads, RUNNING, time, environment=seal)
+
+    try:
+        outcome = suite.run(
+            program,
+            *options,
+            within=within,
+            feeds=[lines.feed, sandbox.clock.feed],
+            pass_fds=[reading],
+            watcher=lambda *of_run: sandbox.Guard(*of_run, RUNNING.memory),
+            owner=sandbox.OWNER,
+            **others,
+        )
+    finally:
+        os.close(reading)
+    if outcome.why and not outcome.tests:
+        dead.append(outcome)
+    if outcome.passed or not (outcome.tests or outcome.why):
+        mark = secret.decode()
+        said = [
+            line.removeprefix(mark)
+            for line in lines.data.decode(errors="replace").splitlines()
+            if line.startswith(mark)
+        ]
+        passed = sorted(line[1:] for line in said if line)
+        expected = sorted(workshop.tests_of(options))
+        if passed != expected or "" not in said or passed != sorted(test.name for test in outcome.tests):
+            outcome.end = "crash"
+            outcome.why = (
+                "The program says that its tests have passed, but the tests have not said so. "
+                "Something in it writes reports, or ends it."
+            )
+    return outcome
+
+
+def look(picture, workshop, folder):
+    """Renders a picture by the student's program, and compares it. Right pictures differ
+    by chance once in thousands: so a difference counts if another render has it, too."""
+    result = {"name": picture.name, "wrong": True, "says": ""}
+    for attempt in (1, 2):
+        seed = int(hashlib.sha256(f"{picture.reference.name} {attempt}".encode()).hexdigest()[:12], 16)
+        scene = f"/scenes/{picture.scene.name}"
+        command = [folder / "render", scene, "-o", "/tmp/picture.pfm", *picture.options]
+        command += ["--spp", SAMPLES, "--seed", seed, "--threads", 2]
+        done = sandbox.run(
+            [command],
+            [(picture.files, "/scenes"), folder / "render", *workshop.libraries()],
+            ["/tmp/picture.pfm"],
+            RENDERING,
+        )
+        if done.code or done.stopped:
+            said = " ".join(done.printed.split())[-300:]
+            return result | {"says": f"the program {stopped_words(done, RENDERING)} {said}".strip()}
+        mine = folder / "mine.pfm"
+        mine.write_bytes(done.files[0])
+        compared = subprocess.run(
+            [program_path("stage-diff"), mine, picture.reference, "--other-seeds"],
+            capture_output=True,
+            text=True,
+            errors="replace",
+        )
+        said = next(iter((compared.stdout or compared.stderr).splitlines()), "").replace(
+            ": A is ", ": it is "
+        )
+        said = said.replace(f"{mine}: ", "")
+        result |= {"says": said, "wrong": compared.returncode != 0}
+        if compared.returncode != 1:
+            break
+    if compared.returncode not in (0, 1):  # a file that is not to be read
+        return result
+    shown = picture_files(mine, picture.reference, SAMPLES, folder / picture.name)
+    mine.unlink()
+    return result | shown

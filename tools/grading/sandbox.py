@@ -1,0 +1,178 @@
+"""Runs what a student wrote where it can do no harm.
+
+bubblewrap gives it a system of its own: no network, no other process, no file but
+those that it needs, which it cannot write, and a scratch folder in memory. What it
+makes comes out through pipes. prlimit bounds its processor time, memory, processes
+and files, and `Guard` what all of its processes have together.
+"""
+
+import os
+import re
+import shutil
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from tests.runner import process, watch
+from tools.tree import Failure
+
+MB = 1 << 20
+PAGE = os.sysconf("SC_PAGE_SIZE") if hasattr(os, "sysconf") else 4096
+# Who runs a student's code where root grades: no limit counts the processes of root.
+NOBODY = 65534
+OWNER = NOBODY if hasattr(os, "geteuid") and os.geteuid() == 0 else None
+# Where a program finds libraries and the compiler its parts.
+SYSTEM = ("bin", "sbin", "lib", "lib32", "lib64", "libx32")
+CONFIGURED = ("/etc/alternatives", "/etc/ld.so.cache", "/etc/ld.so.conf", "/etc/ld.so.conf.d")
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Of one run. `memory` is for all processes together; bytes."""
+
+    seconds: int = 300  # of processor time, of one process
+    memory: int = 3072 * MB
+    processes: int = 64
+    scratch: int = 512 * MB
+
+
+def system():
+    """The words for all that is the same in every run."""
+    words = ["--ro-bind", "/usr", "/usr"]
+    for name in SYSTEM:
+        path = Path("/", name)
+        if path.is_symlink():
+            words += ["--symlink", os.readlink(path), str(path)]
+        elif path.is_dir():
+            words += ["--ro-bind", str(path), str(path)]
+    for path in CONFIGURED:
+        words += ["--ro-bind-try", path, path]
+    return words
+
+
+def sandbox(reads, limits, clock, folder="/tmp", environment=None):
+    """The words to put before a command. `reads` are files and folders that it may
+    read, or pairs of one and the name that it has there. What time the command took
+    comes out of the descriptor `clock`, for a Clock."""
+    words = []
+    if OWNER is not None:
+        words += ["setpriv", f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups", "--no-new-privs"]
+    words += ["bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--clearenv"]
+    for name, value in {"PATH": "/usr/bin:/bin", "LC_ALL": "C", **(environment or {})}.items():
+        words += ["--setenv", name, value]
+    words += system()
+    for one in reads:
+        source, target = one if isinstance(one, tuple) else (one, one)
+        words += ["--ro-bind", str(source), str(target)]
+    words += ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev"]
+    words += ["--size", str(limits.scratch), "--tmpfs", "/tmp", "--remount-ro", "/", "--chdir", str(folder)]
+    bounds = {
+        "core": 0,
+        "cpu": limits.seconds,
+        "as": limits.memory,
+        "nproc": limits.processes,
+        "fsize": limits.scratch,
+        "nofile": 256,
+    }
+    words += ["--", "prlimit", *(f"--{name}={value}" for name, value in bounds.items())]
+    # bubblewrap ends before its child, whose time nobody gets then.
+    return [*words, "sh", "-c", f'"$@"; code=$?; times > /dev/fd/{clock}; exit $code', "sh"]
+
+
+class Guard(watch.Watch):
+    """Watches the memory of all processes of a run, too."""
+
+    def __init__(self, pid, seconds, idle_seconds, memory):
+        super().__init__(pid, seconds, idle_seconds)
+        self.memory = memory
+
+    def look(self, step=lambda: 0):
+        return super().look(step) or ("memory" if memory_of(self.pid) > self.memory else "")
+
+
+def memory_of(pid):
+    """Bytes that a process and its children hold."""
+    try:
+        total = int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * PAGE
+        for task in Path(f"/proc/{pid}/task").iterdir():
+            total += sum(map(memory_of, (task / "children").read_text().split()))
+        return total
+    except (OSError, ValueError, IndexError):
+        return 0
+
+
+class Taken:
+    """What came out of a pipe; at most so many bytes are kept."""
+
+    def __init__(self, most):
+        self.data, self.most, self.too_much = b"", most, False
+
+    def feed(self, data):
+        self.too_much |= len(self.data) + len(data) > self.most
+        self.data += data[: self.most - len(self.data)]
+
+
+class Clock:
+    """Adds up the processor time of all runs."""
+
+    seconds = 0.0
+
+    def feed(self, data):
+        for minutes, seconds in re.findall(rb"(\d+)m([\d.]+)s", data):
+            self.seconds += 60 * int(minutes) + float(seconds)
+
+
+clock = Clock()
+
+
+@dataclass
+class Done:
+    """The end of a run: `code` is negative for a signal, `stopped` says why it was stopped."""
+
+    code: int
+    stopped: str
+    printed: str
+    files: list  # the bytes of each
+
+
+def run(command, reads, outputs=(), limits=None, folder="/tmp", most=64 * MB):
+    """Runs words of a shell command, with `outputs`, files that it leaves, as the result.
+
+    `command` is a list of commands, each a list of words; all must succeed."""
+    limits = limits or Limits()
+    taken, printed = [Taken(most) for _ in outputs], process.Printed()
+    lines = [" ".join(map(quoted, one)) for one in command]
+
+    def words(time, *pipes):
+        copies = [f"cat {quoted(name)} > /dev/fd/{pipe}" for name, pipe in zip(outputs, pipes)]
+        script = " && ".join([*lines, *copies])
+        return [*sandbox(reads, limits, time, folder), "sh", "-c", script]
+
+    code, stopped = process.follow(
+        words,
+        [clock.feed, *(one.feed for one in taken)],
+        printed,
+        (limits.seconds, watch.IDLE_SECONDS),
+        watcher=lambda *of_run: Guard(*of_run, limits.memory),
+        owner=OWNER,
+        env={"PATH": os.environ.get("PATH", "/usr/bin:/bin")},
+    )
+    if any(one.too_much for one in taken):
+        stopped = stopped or "much"
+    return Done(code, stopped, printed.text(), [one.data for one in taken])
+
+
+def quoted(word):
+    return "'" + str(word).replace("'", "'\\''") + "'"
+
+
+def check():
+    """Refuses to go on where there is no sandbox."""
+    if sys.platform != "linux":
+        raise Failure("the sandbox is bubblewrap, which is for Linux only")
+    for program in ("bwrap", "prlimit", "setpriv"):
+        if not shutil.which(program):
+            raise Failure(f"{program} is missing, and nothing is run without it: tools/setup.sh class")
+    done = run([["true"]], [])
+    if done.code:
+        raise Failure(f"the sandbox does not work on this machine: {done.printed.strip()}")
