@@ -156,11 +156,11 @@ class Workshop:
         yield without_cache(self.main.words_for(self.main.source, main, options))
 
     def test_reads(self):
-        return [
-            BUILD / "tests",
-            self.main.source,
-            *(path for path in (ROOT / "tests").iterdir() if path.name != "golden"),
-        ]
+        """What the tests are compiled from: no solution, no golden."""
+        made, suite = BUILD / "tests", f"stage{self.stage}"
+        paths = [made / "generated/declared", made / "generated" / suite, made / f"CMakeFiles/{suite}_tests.dir"]
+        tests = [path for path in (ROOT / "tests").iterdir() if path.name != "golden"]
+        return [*paths, self.main.source, *tests]
 
     def linking(self, program, objects, target):
         """Links the suite or the program from these objects, and all of the reference's
