@@ -163,7 +163,7 @@ HWY_INLINE Floats fresnel_reflectance(const Floats& cos_o,
 
 // ## A table for all
 //
-// Each path has met a shape of its own, and so a material of its own. In
+// Each path has met one of the shapes, and so one of the materials. In
 // stage 5 that was a pointer. Here the materials are in a table, one entry
 // for each. Each lane looks up the number of its shape's material, and then
 // what is in that entry. A short table fits into a register, and picking
