@@ -130,10 +130,13 @@ namespace lightwalk::stage1 {
 // ![](no-pi)
 //
 // `evaluate` returns the BRDF. The albedo is `material.kd`, and the core has
-// the constants `pi`, `two_pi` and `inverse_pi`, which is $1/\pi$. Below,
-// the weight of a sample is simplified until no $f_r$ is left in it. So your
-// own picture will not show a mistake in `evaluate`, but the tests will find
-// it. (For the figure above, the weight was wrong, too.)
+// the constants `pi`, `two_pi` and `inverse_pi`, which is $1/\pi$. (In the
+// header, comments that begin with a # and a word are marks for the book and
+// the handouts. Skip them.)
+//
+// Below, the weight of a sample is simplified until no $f_r$ is left in it.
+// So your own picture will not show a mistake in `evaluate`, but the tests
+// will find it. (For the figure above, the weight was wrong, too.)
 
 // #region evaluate
 /// The BRDF, in 1/sr, for `wo` and `wi` on the same side of the surface.

@@ -5,9 +5,10 @@
 // Stage 1 adds light only when a path happens to hit a lamp. How often does
 // that happen? The lamp of the box is a square of side 0.6 under the ceiling,
 // so its area is $A = 0.36$. The middle of the floor is $d = 1.99$ below it.
-// Seen from there, the lamp fills a solid angle of about $A/d^2$. Near the
-// normal, cosine sampling has the density $1/\pi$. The probability of hitting
-// the lamp is this density times the solid angle:
+// Seen from there, the lamp fills a solid angle of about $A/d^2$. (At a
+// distance $d$ an area looks $d^2$ times smaller; more on this below.) Near
+// the normal, cosine sampling has the density $1/\pi$. The probability of
+// hitting the lamp is this density times the solid angle:
 //
 // $$\frac{1}{\pi} \cdot \frac{A}{d^2} = \frac{0.36}{\pi \cdot 1.99^2}
 // \approx 0.03$$
@@ -26,9 +27,10 @@
 //
 // ## The integral in two parts
 //
-// Look from $x$ in the direction $\omega_i$. The ray meets the next surface
-// at the point $y$. In clear air, what arrives at $x$ is what leaves $y$. And
-// that is what $y$ emits plus what $y$ scatters:
+// The names are those of chapter 1. Look from $x$ in the direction
+// $\omega_i$. The ray meets the next surface at the point $y$. In clear air,
+// what arrives at $x$ is what leaves $y$. And that is what $y$ emits plus
+// what $y$ scatters:
 //
 // $$L_i(x, \omega_i) = L_o(y, -\omega_i) =
 // \textcolor[RGB]{194,90,34}{L_e(y, -\omega_i)} +
@@ -79,8 +81,9 @@ using stage1::sample;
 // \underbrace{\frac{L_e}{p(\omega)}}_{\text{the light}}$$
 //
 // The surface knows the first two factors. The light knows the last one, and
-// this is the `weight` of its answer. $1/p$ is in steradians. So the weight
-// is radiance times solid angle, and its unit is $\mathrm{W/m^2}$.
+// this is the `weight` of its answer. (It is not the weight of a bounce,
+// which has the surface's factors in it.) $1/p$ is in steradians. So the
+// weight is radiance times solid angle, and its unit is $\mathrm{W/m^2}$.
 //
 // A `LightSample` is the answer: the weight, the direction, and the distance.
 // The shadow ray needs the distance, because what lies *behind* the light
@@ -89,8 +92,10 @@ using stage1::sample;
 // > *Rounding.* A computed distance is wrong in its last digits. So for a
 // > lamp with a surface, `distance` is a little more than the distance to the
 // > lamp: the factor is `1 + distance_rounding`. That is $2^{-18}$ more, 4
-// > parts in a million. The shadow ray may pass the lamp a little. That is
-// > harmless, since `reaches`, below, ignores a hit of the lamp itself.
+// > parts in a million. If it were a little less, what lies just before the
+// > lamp would cast no shadow. The shadow ray may pass the lamp a little.
+// > That is harmless, since `reaches`, below, ignores a hit of the lamp
+// > itself.
 
 // #region light-sample
 struct LightSample {
@@ -113,10 +118,11 @@ inline constexpr float distance_rounding = 0x1p-18f;
 //
 // $$\text{weight} = \frac{I}{d^2}$$
 //
-// There is one direction only, so nothing is random. (It is $L_e/p(\omega)$
-// in a limit, which comes below.) In the code $I$ is `light.intensity`, and
-// the light is at `light.center`. The lab calls $I$ the light's power, but
-// uses it in just this way. So nothing is divided by $4\pi$.
+// There is one direction only, so nothing is random. (This weight is
+// $L_e/p(\omega)$ in a limit, which comes below.) In the code $I$ is
+// `light.intensity`, and the light is at `light.center`. The lab calls $I$
+// the light's power, but uses it in just this way. So nothing is divided by
+// $4\pi$.
 //
 // The core has what the code needs: `dot(a, b)`, `length(v)` and
 // `normalize(v)` for vectors, `std::sqrt`, and `cos`, `sin` and `two_pi` for
@@ -189,8 +195,8 @@ inline LightSample sample_light(const PointLight& light, const Vec3& x,
 // in the rendering equation, and `direct_light` multiplies by it below.
 //
 // Each of the three factors can be forgotten. Here is how that looks. Only
-// the picture without $A$ keeps the right shape, and it is the dangerous one:
-// it would be right for a lamp of area 1.
+// the picture without $A$ keeps the right shape. It is the dangerous one,
+// because nothing in it looks wrong: it would be right for a lamp of area 1.
 //
 // ![](lamp-mistakes)
 //
@@ -245,11 +251,10 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // A uniform point on the sphere's area would be right here, too, but
 // wasteful. From $x$, at the distance $d$ from the center, only a cap of the
 // sphere is visible. Its edge is where the lines of sight touch the sphere.
-// There the radius is perpendicular to the line, so the angle $\alpha$ at
-// the center has $\cos\alpha = r/d$. As in stage 1, a cap fills the solid
-// angle
-// $2\pi \int_0^\alpha \sin\theta\,d\theta = 2\pi\,(1 - \cos\alpha)$ of the
-// sphere's $4\pi$. So its share of the area is
+// There the radius is perpendicular to the line, so the angle $\alpha$ at the
+// center has $\cos\alpha = r/d$. Seen from the center, as in stage 1, the cap
+// fills the solid angle $2\pi \int_0^\alpha \sin\theta\,d\theta = 2\pi\,(1 -
+// \cos\alpha)$ of the sphere's $4\pi$. So its share of the area is
 //
 // $$\frac{1 - \cos\alpha}{2} = \frac{1}{2}\left(1 - \frac{r}{d}\right)$$
 //
@@ -351,13 +356,16 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 
 // ## Direct light
 //
-// Now ask all lights of the scene, and add up their answers, as on the
-// slides. Each light adds $f_r \cos\theta$ times its weight, with $\theta$
-// between the surface's normal and the direction to the light. There are two
-// reasons to add nothing:
+// Now ask all lights of the scene. With several lights the direct light is a
+// sum of integrals, one for each. So their answers are added. Each light adds
+// $f_r \cos\theta$ times its weight, with $\theta$ between the surface's
+// normal and the direction to the light. There are two reasons to add
+// nothing:
 //
 // - The light is *below the horizon*, $\cos\theta \le 0$. Then no shadow ray
-//   is needed. Do not use $|\cos\theta|$, or light shines through thin walls.
+//   is needed. The rendering equation has $|n \cdot \omega_i|$, but there
+//   $\omega_i$ is always above the surface. A light may be below it: with
+//   $|\cos\theta|$ it would shine through thin walls.
 // - The shadow ray meets something else before the light.
 //
 // ![](three-answers)
@@ -376,9 +384,10 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 // - `is_black(weight)` is true if all three channels are 0. Such a light
 //   needs no shadow ray, either.
 //
-// A `Light` is one of the three forms of light. `std::visit` calls the
-// `sample_light` above that fits the form. The pictures show what is wrong
-// without shadow rays, and without the surface's cosine.
+// A `Light` is one of the three forms of light: `light.form` is a
+// `std::variant` of them. `std::visit` calls the `sample_light` above that
+// fits the form. The pictures show what is wrong without shadow rays, and
+// without the surface's cosine.
 //
 // ![](direct-mistakes)
 
@@ -390,7 +399,7 @@ inline LightSample sample_light(const Light& light, const Vec3& x,
       [&](const auto& form) { return sample_light(form, x, u); }, light.form);
 }
 
-/// Radiance toward `wo` that the lights cause here by themselves.
+/// Radiance toward `wo` of the light that comes straight from the lights.
 inline Vec3 direct_light(const Scene& scene, const Surface& surface,
                          Random& random) {
   // #region exercise 2.4: direct light
@@ -447,9 +456,9 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 // ![](counted)
 //
 // The fourth cell is the one that people forget. The previous vertex asked
-// the lights, but it could not ask this emitter. If you think that it did,
-// the light counts in *neither* place. A room under a ceiling that shines is
-// then black.
+// the lights, but it could not ask this emitter. If the code assumes that it
+// did, the light counts in *neither* place. A room under a ceiling that
+// shines is then black.
 //
 // ![](counted-in-neither)
 //
@@ -600,12 +609,12 @@ class PathTracer {
 //
 //     make diff A=stage2 B=stage1 SCENE=scenes/cornell_box_lamp_diffuse.toml
 //
-// It renders both pictures and compares their means, in the whole picture
-// and in small regions. For each it prints $z$, the difference in standard
-// deviations, and beside the largest $z$ the limit that chance hardly ever
-// exceeds. It also prints the variance of A over that of B: below 1, A has
-// less noise. The same test finds a mistake: count the lamp twice, and the
-// room can be seen in the difference.
+// It renders both pictures and compares their means, in the whole picture and
+// in small regions. For each it prints $z$: the difference of the means,
+// divided by its standard deviation. Beside the largest $z$ it prints the
+// limit that chance hardly ever exceeds. It also prints the variance of A
+// over that of B: below 1, A has less noise. The same test finds a mistake:
+// count the lamp twice, and the room can be seen in the difference.
 //
 // ![](stage-2-minus-1)
 //

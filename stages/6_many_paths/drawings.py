@@ -100,7 +100,7 @@ def lookup():
         yield d.text(x, 48, value)
     yield d.text(left - 14, 48, "table", d.INK, "end")
     for y, name, words, fill in (
-        (104, "line", [str(i) for i in asked], d.FAINT),
+        (104, "number", [str(i) for i in asked], d.FAINT),
         (176, "found", [table[i] for i in asked], d.GLOW),
     ):
         yield d.text(left - 14, y + 22, name, d.INK, "end")

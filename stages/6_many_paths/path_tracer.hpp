@@ -12,14 +12,12 @@
 // take the next. The idea of the picture does not change. The estimator is
 // stage 5's, and so are the random numbers. Even the picture is the same, to
 // the last bit. In the lab's box, with its seven shapes, stage 6 makes it
-// four to six times as fast. With a thousand shapes little is gained; why is
-// said at the end.
+// four to six times as fast. With a thousand shapes it gains little.
 //
 // ![](one-and-sixteen)
 //
 // The name for this is *SIMD*: single instruction, multiple data. A graphics
-// card works in the same way, with 32 numbers and thousands of registers.
-// This chapter has no exercises. It is for reading.
+// card works in the same way, with 32 numbers. This chapter has no exercises.
 
 #include <array>
 #include <atomic>
@@ -45,9 +43,9 @@ namespace lightwalk::stage6 {
 // thing for each lane. A single number beside a row applies to all lanes.
 //
 // The operators work lane by lane. With rows, `a * b + c` is 16 products and
-// 16 sums. So a formula stays as it is. Here are three of them, from stages
-// 1 and 3. Only the types differ: `sqrt` replaces `std::sqrt`, and 1 is
-// `1.0f`. `Bases` has a basis for each lane.
+// 16 sums. So a formula stays as it is; only `a *= b` is written `a = a * b`.
+// Here are three of them, from stages 1 and 3. Only the types differ: `sqrt`
+// replaces `std::sqrt`, and 1 is `1.0f`. `Bases` has a basis for each lane.
 //
 // What is behind the operators? A library, Highway, knows the instructions
 // of each processor, and `rows/row.hpp` defines operators for them.
@@ -102,7 +100,7 @@ HWY_INLINE Vec3s reflect(const Vec3s& wo, const Vec3s& normal) {
 //     return c ? a : b;        return select(c, a, b);
 //     if (c) return sum;       on = on & !c;
 //     if (c) change(x);        if (any(c)) change(x, c);
-//     *hit.material            materials.at(line)
+//     *hit.material            materials.at(number)
 //
 // Masks are joined lane by lane, by `&`, `|` and `!`. The usual `&&` will
 // not do: it takes a `bool`, and a mask has 16. `any(mask)` is true if one
@@ -112,18 +110,18 @@ HWY_INLINE Vec3s reflect(const Vec3s& wo, const Vec3s& normal) {
 // `sum` is not changed any more, because each sum is selected by a mask of
 // lanes that are on. Its ray and its throughput may become nonsense, even a
 // NaN. Nothing that comes of them is used, and the next path replaces them.
-//
 // A lane that is on may also take the root of a negative number, in the
 // branch that is not its own. There `select` leaves the NaN out.
 //
 // The line with `any` saves time. Where no lane at all takes a branch, it is
 // left out. Otherwise only its own lanes may change: the mask is passed to
 // the function, or used in a `select`. With 16 lanes a branch is seldom left
-// out: if one path in ten is in glass, some path of 16 is 81 times in 100.
+// out: if one path in ten is in glass, then 81 rows of 100 have such a path.
 //
 // Refraction returned nothing where all light is reflected. A row cannot
 // return nothing. So `refract` always gives directions, and a mask of the
 // lanes in which they mean nothing. Fresnel's early return is a `select`.
+// `relative_eta` takes a hit: in `material_at` there is no surface yet.
 
 // #region refract
 /// eta_o / eta_i for light that leaves toward `wo`.
@@ -163,18 +161,23 @@ HWY_INLINE Floats fresnel_reflectance(const Floats& cos_o,
 
 // ## A table for all
 //
-// Each path has met a shape of its own, and so a material of its own. In
-// stage 5 that was a pointer. Here the materials are in a table, one entry
-// for each. Each lane looks up the number of its shape's material, and then
-// what is in that entry. A short table fits into a register, and picking
-// from a register is one instruction for all of its lanes. A longer table
-// stays in memory, and the numbers are fetched one by one
-// (`rows/column.hpp`).
+// Each path has met one of the shapes, and so one of the materials. In stage
+// 5 that was a pointer. Here the materials are in a table, one entry for
+// each. The shapes are in a table, too, with the numbers of their materials.
+// Each lane looks up the number of its shape's material, and then what is in
+// that entry. A short table fits into a register, and picking from a register
+// is one instruction for all of its lanes. A longer table stays in memory,
+// and the numbers are fetched one by one (`rows/column.hpp`).
 //
 // ![](lookup)
 //
-// A pattern of stage 5 is worked out lane by lane, by stage 5's own
-// function.
+// What was yes or no is a mask: `found` in `Hits`, and in `Materials`
+// `emits`, `fresnel` and `varies`. The last is set where a coefficient is a
+// pattern. A pattern is worked out lane by lane, by stage 5's own function.
+// `for_each_lane` calls a function for each lane of a mask, one after the
+// other; `a[lane]` reads one lane, and `a.set(lane, x)` writes one.
+// `normal_towards(hit, wo)` is the normal on the side of `wo`, as before.
+// Emission is looked up apart, because few lanes need it.
 
 // #region material-at
 /// The scene in the form that rows need.
@@ -236,8 +239,9 @@ HWY_INLINE Vec3s emitted(const SceneRows& rows, const Surfaces& surface) {
 // ## An event for each path
 //
 // Each path draws a lobe or is absorbed. Three masks say which path drew
-// which lobe. No lane is set in two of them. A lane that was on and is set
-// in none has lost its path: the light was absorbed.
+// which lobe. No lane is set in two of them. A lane that was on and is set in
+// none has lost its path: the light was absorbed. One of the two values in a
+// `select` must be a row: hence `Floats(1)`.
 
 // #region choose-lobes
 struct LobeChoices {
@@ -261,8 +265,8 @@ HWY_INLINE LobeChoices choose_lobes(const Materials& material,
   const Floats r = scale * refraction;
 
   LobeChoices choice;
-  // Clang 19 never finishes compiling `on & (xi < d + s + r) & !(...)` for
-  // AVX-512: two of its rewrites undo each other. So masks are comparisons.
+  // Do not reorder these terms. At `on & (xi < d + s + r) & !(...)` Clang 19
+  // never finishes, for AVX-512: two of its rewrites undo each other.
   choice.diffuse = on & (xi < d);
   choice.specular = on & !(xi < d) & (xi < d + s);
   choice.refraction = on & !(xi < d + s) & (xi < d + s + r);
@@ -272,10 +276,11 @@ HWY_INLINE LobeChoices choose_lobes(const Materials& material,
 }
 // #endregion choose-lobes
 
-// Then a direction of each lobe is worked out, and the masks choose. Two
-// random numbers are drawn for the diffuse lobe only. So a lane whose path
-// has drawn another event must draw none, or its later numbers would not be
-// stage 5's. `random.uniform_2d(mask)` moves on only where the mask is set.
+// Then a direction of each lobe is worked out, and the masks choose. Only the
+// diffuse lobe takes two random numbers. A lane with another event must draw
+// none, or its later numbers would not be stage 5's.
+// `random.uniform_2d(mask)` moves on only where the mask is set. The diffuse
+// lobe is nearly always needed, so there is no `any` for it.
 
 // #region sample
 struct BsdfSamples {
@@ -314,10 +319,12 @@ HWY_INLINE BsdfSamples sample(const LobeChoices& lobe,
 //
 // All paths ask the same light, then all ask the next. The kind of light does
 // not depend on the path. So a plain `if` can choose the formula: you find it
-// in `direct_light` below. The formulas are those of stage 2. Only the early
-// return inside a sphere light becomes a `select`. A point light has nothing
-// to choose, but stage 2 draws two numbers for it, and so they are drawn
-// here.
+// in `direct_light` below. `asking` is the mask of the lanes that ask. The
+// formulas are those of stage 2. Only the early return inside a sphere light
+// becomes a `select`. (Inside, the distance means nothing: no ray is sent to
+// a black light.) A vector that meets a row of numbers is first made a row:
+// `Vec3s(v)`. A point light has nothing to choose, but stage 2 draws two
+// numbers for it, and so they are drawn here.
 
 // #region lights
 /// What arrives from a light at each path, as in stage 2.
@@ -434,27 +441,25 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
 //
 // ![](step-beside-loop)
 //
-// A few lines need a word. `count_rays` counts rays for the display; it was
-// inside the search. What adds 1 to `bounce` was in the loop's head.
-// `is_light` and the line after it are stage 2's `already_counted`: the
-// shape is in the list of lights, and the previous vertex asked them.
-// `log_vertex` is missing: with `--pixel`, stage 5 follows the path and
-// prints it.
+// A few lines need a word. `scene_` is a `SceneRows` here. `count_rays`
+// counts rays for the display; it was inside the search. What adds 1 to
+// `bounce` was in the loop's head. `is_light` and the line after it are stage
+// 2's `already_counted`: the shape is in the list of lights, and the previous
+// vertex asked them. `log_vertex` is missing: with `--pixel`, stage 5 follows
+// the path and prints it.
 //
 // In stage 5 a path ended in four places, by four `return`s. Here there are
 // four lines in which `on` loses lanes: those that meet nothing, meet an
-// emitter, have had all bounces, or are absorbed. (In the last one, the
-// three masks have only lanes that were on. So `direct_light_added` is false
-// in every lane that has ended.) `step` returns those that are left. The
-// figure follows eight lanes through a step.
+// emitter, have had all bounces, or are absorbed. `step` returns those that
+// are left. The figure follows eight lanes through a step.
 //
 // ![](masks)
 //
 // Rays of all lanes are tested with one shape, then with the next, and each
-// lane keeps the nearest (`rows/shape_table.hpp`). Lanes that are off come
-// along for nothing; only where each ray searches a tree alone, below, are
-// they left out. A lane that met nothing is given the first shape's entry of
-// the table, since any will do: its results are not used. `on` is narrowed
+// lane keeps the nearest (`rows/shape_table.hpp`). Lanes that are off are
+// computed, too, and not used; only in scenes with many shapes (see the end)
+// are they left out. A lane that met nothing is given the first shape's entry
+// of the table, since any will do: its results are not used. `on` is narrowed
 // before `material_at`, so that a pattern is worked out only for lanes on a
 // shape.
 //
@@ -462,10 +467,9 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
 // number for these lanes only, and `choose_lobes` sets its masks only in
 // these. In a lane whose light is absorbed the probability and the weight
 // mean nothing, and may be 0/0; but this lane has just lost its path.
-// `normal_towards(hit, wo)` is the normal on the side of `wo`, as before.
 
 // #region paths
-inline constexpr int paths_at_once = row_lanes;
+inline constexpr int paths_at_once = row_lanes;  ///< 16; 4 in short registers
 
 struct Paths {
   Rays ray;
@@ -552,8 +556,7 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 //
 // ![](idle-lanes)
 //
-// So a lane whose path has ended gets the next sample's path at once. Now
-// some paths of a row are at their first bounce and others at their tenth.
+// So a lane whose path has ended gets the next sample's path at once.
 //
 // ## Why the last bit is the same
 //
@@ -575,14 +578,13 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 // Why bother? Any error shows at once: render the scene with stage 5, too,
 // and compare the bits. So the tests of this stage need no tolerance.
 //
-// So far the program asked a stage for one ray after the other. This stage
-// is given a *tile*, 16 by 16 pixels, and makes its rays itself.
-// `for_each_lane` calls a function for each lane of a mask, one after the
-// other, `origin_slot` is the shape that a ray leaves, and `no_slot` none.
-// `SampleQueue` has the samples of the tile, and a `Film` adds up the
-// pixels. If the user ends the program, `stop` is set, and the tile is
-// dropped. `samples_taken` only counts, for the display. `mask_of` makes a
-// mask of bits, bit 0 for lane 0, and `no_lanes` is the mask without a lane.
+// So far the program asked a stage for one ray after the other. This stage is
+// given a *tile*, 16 by 16 pixels, and makes its rays itself. `origin_slot`
+// is the shape that a ray leaves, and `no_slot` none. `SampleQueue` has the
+// samples of the tile, and a `Film` adds up the pixels. If the user ends the
+// program, `stop` is set, and the tile is dropped. `samples_taken` only
+// counts, for the display. `mask_of` makes a mask of bits, bit 0 for lane 0,
+// and `no_lanes` is the mask without a lane.
 
 // #region render-tile
 /// Makes a new path in each `fresh` lane, where SampleQueue::take has left a
@@ -594,7 +596,7 @@ inline void PathTracer::begin(Paths& path, const Mask& fresh) const {
   path.throughput = select(fresh, white, path.throughput);
   path.sum = select(fresh, black, path.sum);
   path.bounce = select(fresh, 0, path.bounce);
-  // direct_light_added is false: step has set it to lobe.diffuse.
+  // direct_light_added is false: step sets it only in lanes that go on.
 }
 
 inline void PathTracer::render_tile(const Tile& tile, Film& film,
@@ -676,17 +678,15 @@ inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
 //     cmp many.pfm one.pfm
 //
 // If the last line prints nothing, the two files are the same. A build with
-// `-DLIGHTWALK_NATIVE=OFF` uses what every x86-64 has: registers of four
-// numbers, without some instructions that rows need. There stage 6 is the
-// same as stage 5, and `--version` says so.
+// `-DLIGHTWALK_NATIVE=OFF` uses only what every x86-64 has. There stage 6 is
+// the same as stage 5, and `--version` says so.
 //
 // ![](lab-many)
 //
-// What remains? A graphics card does the same with 32 lanes, and with
-// thousands of rows at work. A program there may collect the paths in
-// queues, by the material that they meet, so that all lanes of a row do the
-// same. The name for that is *wavefront path tracing* (Laine, Karras, Aila:
-// "Megakernels Considered Harmful", HPG 2013).
+// What remains? On a graphics card, with thousands of rows at work, a program
+// may collect the paths in queues, by the material that they meet, so that
+// all lanes of a row do the same. The name for that is *wavefront path
+// tracing* (Laine, Karras, Aila: "Megakernels Considered Harmful", HPG 2013).
 
 }  // namespace lightwalk::stage6
 

@@ -22,9 +22,9 @@ def indent(line):
 
 
 def excerpt(lines, steps, reference):
-    """The numbers of the lines that belong to the steps. A step begins at the line,
-    comment or code, that starts with its words, and ends at the next empty line or
-    at the end of its block."""
+    """The numbers of the lines that belong to the steps, and None where lines are
+    left out between two. A step begins at the line, comment or code, that starts
+    with its words, and ends at the next empty line or at the end of its block."""
     chosen = []
     for step in steps:
         first = next((n for n, line in enumerate(lines) if line.strip().lstrip("/ ").startswith(step)), None)
@@ -37,6 +37,12 @@ def excerpt(lines, steps, reference):
             chosen.append(None)
         chosen += range(first, last)
     return chosen
+
+
+def between(lines, last, first):
+    """What a slide shows between two steps: dots if code was left out there."""
+    code = [x for x in lines[last + 1 : first] if x.strip() and not x.lstrip().startswith("//")]
+    return " " * indent(lines[first]) + "// ..." if code else ""
 
 
 def marked_lines(lines, marks, reference):
@@ -61,7 +67,9 @@ def listing(reference, steps="", marks="", width=1112, height=485):
     chosen = list(range(len(code)))
     if steps:
         chosen = excerpt(code, [s.strip() for s in steps.split(";")], reference)
-    lines = ["" if n is None else code[n] for n in chosen]
+    lines = [
+        between(code, chosen[i - 1], chosen[i + 1]) if n is None else code[n] for i, n in enumerate(chosen)
+    ]
     outer = min(indent(x) for x in lines if x)
     lines = [x[outer:] for x in lines]
     marked = [i for i, n in enumerate(chosen, 1) if n is not None and n + 1 in new]
