@@ -9,9 +9,9 @@ class Slides(Copy):
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
     def test_a_region_that_there_is_not(self):
-        self.change("slides/2_next_event.md", "#direct-light", "#direct-lights")
+        self.change("slides/2_next_event.md", "#rectangle-light", "#rectangle-lights")
         self.assert_refused(
-            "slides", "slides/2_next_event.md:", "path_tracer.hpp#direct-lights: no such region"
+            "slides", "slides/2_next_event.md:", "path_tracer.hpp#rectangle-lights: no such region"
         )
 
     def test_a_step_that_there_is_not(self):
