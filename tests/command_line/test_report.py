@@ -47,7 +47,15 @@ class Reports(Programs):
             self.assertEqual({key: report[key] for key in expected}, expected)
             # The same as in the image.
             pfm = self.bytes_of("a.pfm")
-            for key in ["scene_hash", "rays", "seed", "samples_per_pixel", "first_sample", "max_bounces", "dropped"]:
+            for key in [
+                "scene_hash",
+                "rays",
+                "seed",
+                "samples_per_pixel",
+                "first_sample",
+                "max_bounces",
+                "dropped",
+            ]:
                 self.assertIn(f"\n# {key} {report[key]}\n".encode(), pfm)
 
     def test_figures_fit_together(self):

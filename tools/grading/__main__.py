@@ -34,7 +34,7 @@ def arguments():
     parser.add_argument("folder", type=Path, metavar="FROM", help="the submissions")
     parser.add_argument("stage", type=int, metavar="STAGE")
     parser.add_argument("--out", type=Path, help="for the page and the tables (build/class/stageN)")
-    parser.add_argument("--roster", type=Path, help="a CSV file with columns id and name")
+    parser.add_argument("--roster", type=Path, help="a table of the students (.csv)")
     parser.add_argument("--hidden", type=Path, help="a folder of scenes that are rendered, too")
     parser.add_argument("--hide-names", action="store_true", help="the page has numbers instead of names")
     parser.add_argument("--only", metavar="NAME", help="judge this submission, again, and explain")

@@ -158,7 +158,7 @@ def build(workshop, folder):
         return {"state": "does not compile", "error": f"compiling {stopped_words(done, COMPILING)}"}
     if done.code:
         error = compiler.first_error(done.printed.replace(f"{folder}/", ""))
-        if not error.startswith("stages/"):
+        if not error.startswith("stages/") and "error" in error:
             error = f"The tests do not compile with this header: has a name or a type changed?\n{error}"
         return {"state": "does not compile", "error": error[:MOST_SAID]}
     for path, data in zip((folder / "tests", folder / "render"), done.files):

@@ -61,11 +61,13 @@ def sandbox(reads, limits, clock, folder="/tmp", environment=None):
     for name, value in {"PATH": "/usr/bin:/bin", "LC_ALL": "C", **(environment or {})}.items():
         words += ["--setenv", name, value]
     words += system()
+    # First, so that it does not hide what is read from below /tmp.
+    words += ["--size", str(limits.scratch), "--tmpfs", "/tmp"]
     for one in reads:
         source, target = one if isinstance(one, tuple) else (one, one)
         words += ["--ro-bind", str(source), str(target)]
     words += ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev"]
-    words += ["--size", str(limits.scratch), "--tmpfs", "/tmp", "--remount-ro", "/", "--chdir", str(folder)]
+    words += ["--remount-ro", "/", "--chdir", str(folder)]
     bounds = {
         "core": 0,
         "cpu": limits.seconds,

@@ -9,8 +9,8 @@ import re
 
 INCLUDES = re.compile(
     r'^[ \t]*#[ \t]*include[ \t]*(?:"(?:common|stages)/[\w/]+\.hpp"|'
-    r"<(?:algorithm|array|bit|cassert|cfloat|climits|cmath|cstddef|cstdint|cstdio|functional|initializer_list|"
-    r"iostream|iterator|limits|memory|numbers|numeric|optional|random|ranges|span|string|string_view|tuple|"
+    r"<(?:algorithm|array|bit|cassert|cfloat|chrono|climits|cmath|concepts|cstddef|cstdint|cstdio|cstdlib|cstring|functional|initializer_list|"
+    r"iomanip|iostream|iterator|limits|memory|numbers|numeric|optional|random|ranges|span|sstream|string|string_view|tuple|"
     r"type_traits|utility|variant|vector|glm/[\w/.]+)>)[ \t\r]*$"
 )
 DIRECTIVE = re.compile(r"^[ \t]*#[ \t]*(\w+)(.*)$", re.M)

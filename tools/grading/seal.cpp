@@ -25,8 +25,8 @@ void take_secret(int, char**, char** environment) {
     const std::string name = "LIGHTWALK_SEAL=";
     if (text.rfind(name, 0) != 0) continue;
     char* end = nullptr;
-    const int in = static_cast<int>(
-        std::strtol(text.c_str() + name.size(), &end, 10));
+    const int in =
+        static_cast<int>(std::strtol(text.c_str() + name.size(), &end, 10));
     pipe_out = static_cast<int>(std::strtol(end + 1, nullptr, 10));
     if (read(in, secret, secret_bytes) != secret_bytes) secret[0] = '\0';
     close(in);
@@ -34,8 +34,9 @@ void take_secret(int, char**, char** environment) {
 }
 
 // The loader calls these before all constructors, in the order of linking.
-[[gnu::used, gnu::section(".preinit_array")]] void (*const first)(
-    int, char**, char**) = take_secret;
+[[gnu::used,
+  gnu::section(".preinit_array")]] void (*const first)(int, char**,
+                                                       char**) = take_secret;
 
 struct Seal : doctest::IReporter {
   std::string passed, name;

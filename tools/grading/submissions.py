@@ -5,6 +5,7 @@ the file is. Nothing of it is unpacked here but that header.
 """
 
 import csv
+import io
 import os
 import zipfile
 from dataclasses import dataclass
@@ -17,8 +18,9 @@ from tools.tree import Failure
 MOST = 1 << 20
 MOST_FILES = 5000
 ENDINGS = (".hpp", ".h", ".zip", ".bundle")
-IDS = ("id", "username", "student id", "id number", "email", "email address")
 NAMES = ("name", "full name", "student")
+FIRST = ("first name", "given name", "vorname")
+LAST = ("last name", "surname", "family name", "nachname")
 
 
 class Refused(Exception):
@@ -65,37 +67,48 @@ def submissions(folder, roster=None):
 
 
 def read_roster(path):
-    """{id: full name} of a CSV file whose first line names its columns."""
+    """[(cells, full name)] of a table whose first line names its columns; separated by
+    commas, semicolons or tabs, in UTF-8 or Windows' letters."""
     try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            rows = list(csv.DictReader(file))
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise Failure(f"ROSTER={path}: {error}") from None
-    columns = {(name or "").strip().lower(): name for name in (rows[0] if rows else {})}
-    key = next((columns[name] for name in IDS if name in columns), None)
-    full = next((columns[name] for name in NAMES if name in columns), None)
-    if not key:
-        raise Failure(f"ROSTER={path}: no column is called {', '.join(IDS[:3])} or the like")
-    students = {}
-    for line, row in enumerate(rows, 2):
-        one = (row[key] or "").strip()
-        if not one or one in students:
-            raise Failure(f"ROSTER={path}: row {line}: {key} is {'there twice: ' + one if one else 'empty'}")
-        students[one] = (row[full] or "").strip() if full else ""
+        data = path.read_bytes()
+    except OSError as error:
+        raise Failure(f"ROSTER={path}: {error.strerror}") from None
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = data.decode("cp1252", errors="replace")
+    separator = max(",;\t", key=text.partition("\n")[0].count)
+    rows = [[cell.strip() for cell in row] for row in csv.reader(io.StringIO(text), delimiter=separator)]
+    head, students = [cell.lower() for cell in rows[0]] if rows else [], []
+    for line, cells in enumerate(rows[1:], 2):
+        if not any(cells):
+            continue
+        if not cells[0] or any(cells[0] == other[0] for other, _ in students):
+            what = f"{cells[0]} is there twice" if cells[0] else "its first column is empty"
+            raise Failure(f"ROSTER={path}: row {line}: {what}")
+        named = dict(zip(head, cells))
+        parts = [next((named[name] for name in names if name in named), "") for names in (NAMES, FIRST, LAST)]
+        students.append((cells, parts[0] or " ".join(filter(None, parts[1:]))))
+    if not students:
+        raise Failure(f"ROSTER={path}: a line that names the columns is expected, and one for each student")
     return students
 
 
 def with_students(found, students, roster):
-    """Submissions by the roster's ids. Moodle calls a folder "Full Name_123_...": that
-    is found by the full name."""
-    every = {}
-    for one, full in students.items():
-        names = [name for name in found if name == one or (full and name.startswith(f"{full}_"))]
+    """Submissions by the roster: a student's is called what stands in any of the row's
+    columns. Moodle calls a folder "Full Name_123_...": that is found by the full name."""
+    every, left = {}, dict(found)
+    for cells, full in students:
+        names = [name for name in left if name in cells or (full and name.startswith(f"{full}_"))]
         if len(names) > 1:
-            raise Failure(f"ROSTER={roster}: {one} has {len(names)} submissions: {', '.join(names)}")
-        path = found.pop(names[0]).path if names else None
-        every[one] = Submission(one, path, full)
-    return every | found
+            raise Failure(f"ROSTER={roster}: {cells[0]} has {len(names)} submissions: {', '.join(names)}")
+        one = names[0] if names else cells[0]
+        every[one] = Submission(one, left.pop(one).path if names else None, full)
+    if len(left) == len(found):
+        raise Failure(
+            f"ROSTER={roster}: no submission is called what stands in it, as {next(iter(found))} is not"
+        )
+    return every | left
 
 
 def files_below(folder):

@@ -146,24 +146,38 @@ class Submissions(InFolder):
         self.put("c3", "x")
         roster = self.folder / "roster.csv"
         roster.write_text("Full name,ID number\nAna Maria,a1\nBen,b2\nDora,d4\n", encoding="utf-8-sig")
-        found = submissions.submissions(self.given, roster)
+
+        def found():
+            every = submissions.submissions(self.given, roster)
+            return [(one.name, one.student, one.path and one.path.name) for one in every]
+
+        moodle = "Ana Maria_17_file"
         self.assertEqual(
-            [(one.name, one.student, one.path and one.path.name) for one in found],
+            found(),
+            [(moodle, "Ana Maria", moodle), ("b2", "Ben", "b2"), ("Dora", "Dora", None), ("c3", "", "c3")],
+        )
+        # As a registrar exports it: semicolons, and letters of Windows.
+        text = "Nummer;Nachname;Vorname;Login\n17;Müller;Jörg;b2\n18;Öz;Cem;c3\n\n19;Alt;Eva;e5\n"
+        roster.write_bytes(text.encode("cp1252"))
+        self.assertEqual(
+            found(),
             [
-                ("a1", "Ana Maria", "Ana Maria_17_file"),
-                ("b2", "Ben", "b2"),
-                ("d4", "Dora", None),
-                ("c3", "", "c3"),
+                ("b2", "Jörg Müller", "b2"),
+                ("c3", "Cem Öz", "c3"),
+                ("19", "Eva Alt", None),
+                (moodle, "", moodle),
             ],
         )
         for text, sentence in (
-            ("a,b\n1,2\n", "no column is called id"),
-            ("id,name\nx,1\nx,2\n", "row 3: id is there twice: x"),
-            ("id,name\n,1\n", "row 2: id is empty"),
+            ("", "a line that names the columns is expected"),
+            ("id,name\nb2,1\nb2,2\n", "row 3: b2 is there twice"),
+            ("id,name\n,1\n", "row 2: its first column is empty"),
+            ("id,name\nx,y\n", "no submission is called what stands in it, as"),
+            ("id,other\nb2,c3\n", "b2 has 2 submissions: b2, c3"),
         ):
             roster.write_text(text)
             with self.assertRaisesRegex(Failure, sentence):
-                submissions.submissions(self.given, roster)
+                found()
 
 
 class Screen(unittest.TestCase):
@@ -245,6 +259,14 @@ class Sandbox(InFolder):
         )
         self.assert_says("[False, False, False, False, False]", ask.format(paths=paths))
         self.assert_says("secret", f"print(open({str(secret)!r}).read())", secret)
+
+    def test_what_lies_below_tmp_is_seen_too(self):
+        with tempfile.TemporaryDirectory(dir="/tmp") as folder:
+            Path(folder).chmod(0o755)
+            given = Path(folder) / "given"
+            given.write_text("seen")
+            done = sandbox.run([["cat", given], ["touch", "/tmp/x"]], [given], folder=folder)
+        self.assertEqual((done.code, done.printed), (0, "seen"))
 
     def test_it_writes_into_its_scratch_folder_alone(self):
         given = self.folder / "given/file"

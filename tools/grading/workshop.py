@@ -158,7 +158,11 @@ class Workshop:
     def test_reads(self):
         """What the tests are compiled from: no solution, no golden."""
         made, suite = BUILD / "tests", f"stage{self.stage}"
-        paths = [made / "generated/declared", made / "generated" / suite, made / f"CMakeFiles/{suite}_tests.dir"]
+        paths = [
+            made / "generated/declared",
+            made / "generated" / suite,
+            made / f"CMakeFiles/{suite}_tests.dir",
+        ]
         tests = [path for path in (ROOT / "tests").iterdir() if path.name != "golden"]
         return [*paths, self.main.source, *tests]
 
