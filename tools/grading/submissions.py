@@ -171,21 +171,23 @@ def from_zip(path, stage):
 
 
 def from_bundle(path, stage):
-    """Of the commit that the bundle's HEAD names, or else its first branch."""
+    """Of the commit that the bundle's HEAD names, or else of its newest branch."""
     bundle, repository = "/in.bundle", "/tmp/in.git"
-    git = ["git", "-C", repository, "-c", "safe.directory=*"]
-    clone = [
-        ["git", "init", "-q", "--bare", repository],
-        [*git, "fetch", "-q", bundle, "+refs/*:refs/*", "+HEAD:refs/theirs"],
-    ]
-    listed = [["sh", "-c", f"{' '.join(git[:3])} ls-tree -r --name-only -z refs/theirs > /tmp/names"]]
+    git = f"git -C {repository}"
+    newest = f"{git} for-each-ref --count=1 --sort=-committerdate '--format=%(refname)'"
+    fetch = (
+        f"git init -q --bare {repository} && {{ {git} fetch -q {bundle} +HEAD:refs/theirs 2> /dev/null || "
+        f"{{ {git} fetch -q {bundle} '+refs/*:refs/*' && {git} update-ref refs/theirs $({newest}); }}; }}"
+    )
+    clone = [["sh", "-c", fetch]]
+    listed = [["sh", "-c", f"{git} ls-tree -r --name-only -z refs/theirs > /tmp/names"]]
     done = sandbox.run([*clone, *listed], [(path, bundle)], ["/tmp/names"])
     if done.code or done.stopped:
         raise Refused(f"it is no git bundle that can be read: {done.printed.strip()[-200:]}")
     names = done.files[0].decode(errors="surrogateescape").split("\0")[:-1]
 
     def content(name):
-        show = [["sh", "-c", f'{" ".join(git[:3])} show "refs/theirs:$0" > /tmp/header', name]]
+        show = [["sh", "-c", f'{git} show "refs/theirs:$0" > /tmp/header', name]]
         shown = sandbox.run([*clone, *show], [(path, bundle)], ["/tmp/header"], most=MOST + 1)
         if shown.code or shown.stopped:
             raise Refused(f"{name} cannot be read from the bundle: {shown.printed.strip()[-200:]}")

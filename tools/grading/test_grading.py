@@ -20,6 +20,7 @@ from xml.etree import ElementTree
 
 from tools.grading import one_node_slurm, page, sandbox, screen, submissions, tables
 from tools.grading.workshop import only_adds
+from tools.handout.opened import opened
 from tools.tree import BUILD, ROOT, Failure, stage_headers
 
 HEADER = stage_headers()[0]
@@ -105,6 +106,9 @@ class Submissions(InFolder):
         for command in (["init", "-q"], ["add", "."], ["commit", "-qm", "done"],
                         ["bundle", "create", "-q", self.given / "emma.bundle", "HEAD"]):  # fmt: skip
             subprocess.run([*git, *command], cwd=work, check=True)
+        self.assertEqual(self.header("emma"), b"e")
+        branch = ["git", "bundle", "create", "-q", self.given / "emma.bundle", "--branches"]
+        subprocess.run(branch, cwd=work, check=True)
         self.assertEqual(self.header("emma"), b"e")
         (self.given / "emma.bundle").write_bytes(b"# v2 git bundle\nno bundle")
         self.assert_refused("no git bundle that can be read")
@@ -232,6 +236,7 @@ class Objects(unittest.TestCase):
         self.assertFalse(only_adds([*given[:4], "int y;", *given[4:]], given))
         self.assertFalse(only_adds([given[0], *given[2:]], given))
         self.assertFalse(only_adds(["#define x y", *given], given))
+        self.assertTrue(only_adds(['#include "common/open_exercise.hpp"', *given], given))
         self.assertFalse(only_adds([given[0], "int g();", given[1].replace("f", "h"), *given[2:]], given))
 
 
@@ -361,6 +366,8 @@ class Grading(InFolder):
           std::exit(0);"""
         class_of = {
             "right": TEXT,
+            "from-a-handout": TEXT.replace("#include", '#include "common/open_exercise.hpp"\n#include', 1),
+            "handed-out": opened(HEADER),
             "right-with-more": with_code("inline float twice(float x) { return 2 * x; }"),
             weird.replace("/", "_"): TEXT,
             "wrong": mistake(self.names()[0]),
@@ -379,7 +386,9 @@ class Grading(InFolder):
         self.assertEqual(self.everything(), before, "the tree has changed")
         full = found["right"]["out of"]
         points = {name: row["points"] for name, row in found.items()}
-        for name in ("right", "right-with-more", weird.replace("/", "_")):
+        self.assertEqual((states := found["handed-out"])["state"], "judged", states)
+        self.assertEqual(points["handed-out"], "0")
+        for name in ("right", "from-a-handout", "right-with-more", weird.replace("/", "_")):
             self.assertEqual((found[name]["state"], points[name]), ("judged", full), found[name])
         self.assertNotEqual(points["wrong"], full)
         for name in ("exit", "forged", "asm", "crash", "endless", "no-semicolon"):

@@ -17,6 +17,8 @@ from tools.exercises.sheet import read_tasks
 from tools.grading import sandbox
 from tools.tree import BUILD, ROOT, SCENES, Failure, program_path
 
+# What a handout's headers include, and this tree's do not.
+HANDED_OUT = ROOT / "tools/handout/tree"
 # Of a picture that is compared: a student's samples, and the reference's.
 SIZE, SAMPLES, REFERENCE_SAMPLES = 64, 64, 1024
 
@@ -134,7 +136,7 @@ class Workshop:
         precompiled header. No solution of this stage, no test, no golden."""
         stages = [path for path in ROOT.glob("stages/*") if path.name[0] < self.header.parent.name[0]]
         own = [path for path in self.header.parent.iterdir() if path.is_dir()]
-        given = [ROOT / "common", *stages, *ROOT.glob("stages/*.hpp"), *own, ROOT / "third_party"]
+        given = [ROOT / "common", HANDED_OUT, *stages, *ROOT.glob("stages/*.hpp"), *own, ROOT / "third_party"]
         return [path for path in (*given, BUILD / "tests/CMakeFiles/core_of_stages.dir") if path.exists()]
 
     def split(self, folder):
@@ -146,12 +148,12 @@ class Workshop:
         return code, only_adds(mine, given)
 
     def compiling(self, source, target):
-        return without_cache(self.suite.code.words_for(source, target))
+        return without_cache(self.suite.code.words_for(source, target, [f"-I{HANDED_OUT}"]))
 
     def compiling_anew(self, declared, suite, main):
         """The tests and the program's main file with what a header declares, where that is
         not what they were compiled with."""
-        options = [f"-I{declared}"]
+        options = [f"-I{declared}", f"-I{HANDED_OUT}"]
         yield without_cache(self.suite.tests.words_for(self.suite.tests.source, suite, options))
         yield without_cache(self.main.words_for(self.main.source, main, options))
 
@@ -195,7 +197,7 @@ def only_adds(mine, given):
     for line in mine:
         if left and line == left[0]:
             left.pop(0)
-        elif depth > 1 or line.startswith("#"):
+        elif depth > 1 or (line.startswith("#") and not line.startswith("#include ")):
             return False
         depth += line.count("{") - line.count("}")
     return not left
