@@ -43,8 +43,7 @@ def grade(submission, workshop, folder):
     changed; else it is written there, whole."""
     kept = folder / "result.json"
     try:
-        header = submission.header(workshop.stage) if submission.path else b""
-        refused = "" if submission.path else "nothing was handed in"
+        header, refused = submission.header(workshop.stage) if submission.path else b"", ""
     except Refused as error:
         header, refused = b"", str(error)
     key = hashlib.sha256(header + refused.encode() + workshop.key.encode()).hexdigest()
@@ -54,7 +53,10 @@ def grade(submission, workshop, folder):
             return result
     folder.mkdir(parents=True, exist_ok=True)
     before = sum(os.times()[:4]) + sandbox.clock.seconds
-    result = {"state": "refused", "error": refused} if refused else judged(header, workshop, folder)
+    if not submission.path:
+        result = {"state": "nothing handed in"}
+    else:
+        result = {"state": "refused", "error": refused} if refused else judged(header, workshop, folder)
     result = empty(workshop) | result
     result |= {"key": key, "header": hashlib.sha256(header).hexdigest() if header else ""}
     result["seconds"] = round(sum(os.times()[:4]) + sandbox.clock.seconds - before, 2)

@@ -7,6 +7,7 @@ the file is. Nothing of it is unpacked here but that header.
 import csv
 import io
 import os
+import re
 import zipfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -94,12 +95,19 @@ def read_roster(path):
     return students
 
 
+def words(name):
+    """Those of a name, in whatever order."""
+    return sorted(re.findall(r"[^\s,]+", name.casefold()))
+
+
 def with_students(found, students, roster):
     """Submissions by the roster: a student's is called what stands in any of the row's
-    columns. Moodle calls a folder "Full Name_123_...": that is found by the full name."""
+    columns, or has the words of the full name: Moodle's folders are "Full Name_123_..."."""
     every, left = {}, dict(found)
     for cells, full in students:
-        names = [name for name in left if name in cells or (full and name.startswith(f"{full}_"))]
+        names = [
+            name for name in left if name in cells or (full and words(name.split("_")[0]) == words(full))
+        ]
         if len(names) > 1:
             raise Failure(f"ROSTER={roster}: {cells[0]} has {len(names)} submissions: {', '.join(names)}")
         one = names[0] if names else cells[0]

@@ -161,15 +161,17 @@ class Submissions(InFolder):
             [(moodle, "Ana Maria", moodle), ("b2", "Ben", "b2"), ("Dora", "Dora", None), ("c3", "", "c3")],
         )
         # As a registrar exports it: semicolons, and letters of Windows.
-        text = "Nummer;Nachname;Vorname;Login\n17;Müller;Jörg;b2\n18;Öz;Cem;c3\n\n19;Alt;Eva;e5\n"
+        self.put("Öz, Cem", "x")
+        text = "Nummer;Nachname;Vorname;Login\n17;Müller;Jörg;b2\n18;Öz;Cem;cem\n\n19;Alt;Eva;e5\n"
         roster.write_bytes(text.encode("cp1252"))
         self.assertEqual(
             found(),
             [
                 ("b2", "Jörg Müller", "b2"),
-                ("c3", "Cem Öz", "c3"),
+                ("Öz, Cem", "Cem Öz", "Öz, Cem"),
                 ("19", "Eva Alt", None),
                 (moodle, "", moodle),
+                ("c3", "", "c3"),
             ],
         )
         for text, sentence in (
