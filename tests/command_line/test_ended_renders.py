@@ -1,8 +1,10 @@
 """Programs whose renders end early, and say why."""
 
+import os
 import resource
 import signal
 import subprocess
+import sys
 import unittest
 
 from programs import BUILD, HAS_EXR, SCENES, InFolder, built_stages, communicate, run, sanitized
@@ -58,6 +60,17 @@ class TooFewThreads(InFolder):
                 )
                 self.assert_one_line(result, "stage1: out.exr cannot be written: .exr needs OpenImageIO, ...")
                 self.assertEqual(self.files(), [])
+
+    @unittest.skipUnless(HAS_EXR and sys.platform == "linux", "a child process tries OpenImageIO on Linux")
+    def test_a_library_that_waits_for_ever_is_an_error(self):
+        result = run(
+            "stage1",
+            *[BOX, "-o", "out.exr", "--spp=1"],
+            folder=self.folder,
+            env=os.environ | {"LD_LIBRARY_PATH": str(BUILD / "tests/waiting")},
+        )
+        self.assert_one_line(result, "stage1: out.exr cannot be written: .exr needs OpenImageIO, ...")
+        self.assertEqual(self.files(), [])
 
     @unittest.skipIf(sanitized(), "the sanitizer needs the memory")
     def test_a_render_takes_the_threads_that_it_gets(self):
