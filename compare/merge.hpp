@@ -14,9 +14,11 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/image/render_result.hpp"
+#include "common/render/film.hpp"
 
 namespace lightwalk {
 
@@ -33,18 +35,19 @@ struct Part {
 
 /// Throws if a part is not one of the same picture as the first one.
 inline void check_same_picture(const Part& first, const Part& part) {
-  const auto& [a, b] = std::pair(first.result.info, part.result.info);
+  const RenderResult &a = first.result, &b = part.result;
   const auto differ = [&](bool different, const char* what) {
     if (!different) return;
     throw std::runtime_error(part.name + " and " + first.name + " have " +
                              what + ", and are no parts of one picture");
   };
-  differ(part.result.radiance.width != first.result.radiance.width ||
-             part.result.radiance.height != first.result.radiance.height,
+  differ(a.radiance.width != b.radiance.width ||
+             a.radiance.height != b.radiance.height,
          "different sizes");
-  differ(a.scene_hash != b.scene_hash, "different scenes");
-  differ(a.seed != b.seed, "different seeds");
-  differ(a.max_bounces != b.max_bounces, "different bounds of bounces");
+  differ(a.info.scene_hash != b.info.scene_hash, "different scenes");
+  differ(a.info.seed != b.info.seed, "different seeds");
+  differ(a.info.max_bounces != b.info.max_bounces,
+         "different bounds of bounces");
 }
 
 inline void check_part(const Part& part) {
@@ -56,9 +59,33 @@ inline void check_part(const Part& part) {
   if (result.info.dropped > 0) {
     throw std::runtime_error(
         part.name +
-        " lacks samples that were not finite, and does not say "
-        "in which pixels: it cannot be weighed");
+        " lacks samples that were not finite, and does not say in which "
+        "pixels: it cannot be weighed");
   }
+}
+
+/// Throws if a part does not begin with the sample `next`.
+inline void check_follows(const Part& part, std::uint64_t next) {
+  if (part.first() == next) return;
+  throw std::runtime_error(
+      "sample " + std::to_string(std::min(next, part.first())) +
+      (part.first() < next ? " is in two parts: " : " is in no part: ") +
+      part.name + " begins with sample " + std::to_string(part.first()));
+}
+
+/// Adds `count` samples to a pixel, of which the mean and the variance are
+/// known.
+inline void add_samples(Pixel& pixel, const Vec3& mean, const Vec3& variance,
+                        std::uint64_t count) {
+  const double n = pixel.samples;
+  const auto m = static_cast<double>(count);
+  for (int c = 0; c < 3; ++c) {
+    const double difference = mean[c] - pixel.mean[c];
+    pixel.squares[c] +=
+        variance[c] * (m - 1) + difference * difference * n * m / (n + m);
+    pixel.mean[c] += difference * m / (n + m);
+  }
+  pixel.samples += static_cast<std::uint32_t>(count);
 }
 
 /// The picture that has the samples of all parts. Throws if they are not parts
@@ -71,45 +98,25 @@ inline RenderResult merged(std::vector<Part> parts) {
     check_part(part);
     check_same_picture(parts.front(), part);
   }
-  RenderResult whole = parts.front().result;
-  std::vector<double> means, squares;  // as in Pixel
-  const auto for_each_value = [&](auto use) {
-    for (std::size_t i = 0; i < whole.radiance.pixels.size(); ++i) {
-      for (int c = 0; c < 3; ++c)
-        use(i, c, 3 * i + static_cast<std::size_t>(c));
-    }
-  };
-  means.assign(3 * whole.radiance.pixels.size(), 0);
-  squares = means;
-  std::uint64_t samples = 0;
-  whole.info.rays = 0;
+  RenderInfo info = parts.front().result.info;
+  std::uint64_t next = parts.front().first();
+  Film film(parts.front().result.radiance.width,
+            parts.front().result.radiance.height);
+  info.rays = 0;
   for (const Part& part : parts) {
-    const std::uint64_t next = parts.front().first() + samples;
-    if (part.first() != next) {
-      throw std::runtime_error(
-          "sample " + std::to_string(std::min(next, part.first())) +
-          (part.first() < next ? " is in two parts: " : " is in no part: ") +
-          part.name + " begins with sample " + std::to_string(part.first()));
+    check_follows(part, next);
+    const RenderResult& result = part.result;
+    for (int row = 0; row < film.height(); ++row) {
+      for (int column = 0; column < film.width(); ++column) {
+        const std::size_t i = film.index(column, row);
+        add_samples(film.pixel(column, row), result.radiance.pixels[i],
+                    result.variance.pixels[i], part.count());
+      }
     }
-    const auto n = static_cast<double>(samples);
-    const auto m = static_cast<double>(part.count());
-    for_each_value([&](std::size_t i, int c, std::size_t at) {
-      const double mean = part.result.radiance.pixels[i][c];
-      const double difference = mean - means[at];
-      squares[at] += part.result.variance.pixels[i][c] * (m - 1) +
-                     difference * difference * n * m / (n + m);
-      means[at] += difference * m / (n + m);
-    });
-    samples += part.count();
-    whole.info.rays += part.result.info.rays;
+    next += part.count();
+    info.rays += part.result.info.rays;
   }
-  for_each_value([&](std::size_t i, int c, std::size_t at) {
-    whole.radiance.pixels[i][c] = static_cast<float>(means[at]);
-    whole.variance.pixels[i][c] = static_cast<float>(
-        samples < 2 ? 0 : squares[at] / static_cast<double>(samples - 1));
-  });
-  whole.info.samples_per_pixel = static_cast<double>(samples);
-  return whole;
+  return develop(film, std::move(info));
 }
 
 }  // namespace lightwalk

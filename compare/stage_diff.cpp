@@ -341,12 +341,8 @@ int main(int argc, char** argv) {
                "Refuse the same bits: A and B had different seeds");
   add_help_and_version(app, LIGHTWALK_VERSION);
   app.footer("Exit codes: 0 the same, 1 different, 2 cannot compare.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return checked_output(program, app.exit(success), 2);
-  } catch (const CLI::ParseError& error) {
-    return wrong_usage(program, what_is_wrong(app, error));
+  if (const auto code = parse(app, argc, argv)) {
+    return checked_output(program, *code, 2);
   }
   if (app.count("B") == 0) {
     return wrong_usage(program,

@@ -36,12 +36,8 @@ int main(int argc, char** argv) {
       "other.\nA sample that is in two parts or in none, and parts of other "
       "pictures, are\nerrors. Exit codes: 0 done, 1 could not, 2 wrong "
       "usage.");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return checked_output(program, app.exit(success), 2);
-  } catch (const CLI::ParseError& error) {
-    return wrong_usage(program, what_is_wrong(app, error));
+  if (const auto code = parse(app, argc, argv)) {
+    return checked_output(program, *code, 2);
   }
   if (names.empty() || output.empty()) {
     return wrong_usage(

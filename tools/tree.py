@@ -125,11 +125,31 @@ def render(program, scene, image, *options):
 
 def read_pfm(path):
     """Width, height and the pixels' (r, g, b), row by row from the top."""
-    magic, size, scale, data = Path(path).read_bytes().split(b"\n", 3)
-    width, height = map(int, size.split())
-    if (magic, scale) != (b"PF", b"-1.0"):
+    width, height, pixels, _ = taken_pfm(path, Path(path).read_bytes())
+    return width, height, pixels
+
+
+def read_variance(path):
+    """The same of the variance, the second picture of a render's file."""
+    *_, rest = taken_pfm(path, Path(path).read_bytes())
+    width, height, pixels, _ = taken_pfm(path, rest)
+    return width, height, pixels
+
+
+def taken_pfm(path, data):
+    """The first picture in a file's bytes, and what follows it."""
+    head = re.match(rb"PF\n(?:#[^\n]*\n)*(\d+) (\d+)\n-1\.0\n", data)
+    if not head:
         raise ValueError(f"{path} is not the .pfm that the stages write")
-    # The variance follows the mean.
-    pixels = list(struct.iter_unpack("<3f", data[: 12 * width * height]))
+    width, height = map(int, head.groups())
+    end = head.end() + 12 * width * height
+    pixels = list(struct.iter_unpack("<3f", data[head.end() : end]))
     rows = [pixels[i : i + width] for i in range(0, len(pixels), width)]
-    return width, height, [pixel for row in reversed(rows) for pixel in row]
+    return width, height, [pixel for row in reversed(rows) for pixel in row], data[end:]
+
+
+def write_whole(path, text):
+    """The file is the old one or the new one, whole, whenever this is broken off."""
+    new = path.with_name(f".new-{os.getpid()}-{path.name}")
+    new.write_text(text, encoding="utf-8", errors="replace")
+    new.replace(path)

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -168,6 +169,19 @@ inline std::string what_is_wrong(const CLI::App& app,
                                : " after " + in_quotes(positional.back()));
   }
   return text;
+}
+
+/// Reads the command line. Returns the exit code if it is wrong, or if all
+/// has been said, as after --help.
+inline std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return wrong_usage(app.get_name(), what_is_wrong(app, error));
+  }
+  return std::nullopt;
 }
 
 }  // namespace lightwalk

@@ -264,13 +264,7 @@ std::optional<int> parse_options(int argc, char** argv,
       "each pixel has a sample. "
       "Exit codes: 0 done, 1 could not, 2 wrong usage, 130 interrupted.");
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    return wrong_usage(program.name, what_is_wrong(app, error));
-  }
+  if (const auto code = parse(app, argc, argv)) return code;
   const auto required = [&](const std::string& what) {
     return wrong_usage(program.name,
                        what + " is required, as in '" + example + "'");

@@ -1,21 +1,17 @@
 """Parts of a picture, rendered with --first-sample, and put together."""
 
-import struct
-import unittest
-from pathlib import Path
+from programs import ENDINGS, SCENES, InFolder, read_pfm, run
 
-from programs import ENDINGS, SCENES, InFolder, built_stages, read_pfm, run
+from tools.tree import read_variance
 
 SCENE = SCENES / "cornell_box_ceiling_diffuse.toml"
 OPTIONS = ["--size", "24x17", "--max-bounces", "5", "--quiet"]
 
 
 def floats(path):
-    width, height, _ = read_pfm(path)
-    whole = path.read_bytes().split(b"\n", 3)[3]
-    variance = whole[12 * width * height :].split(b"\n-1.0\n", 1)[1]
-    unpack = lambda data: [x for pixel in struct.iter_unpack("<3f", data) for x in pixel]  # noqa: E731
-    return unpack(whole[: 12 * width * height]), unpack(variance[: 12 * width * height])
+    """All numbers of the mean, and of the variance."""
+    pictures = read_pfm(path)[2], read_variance(path)[2]
+    return [[x for pixel in pixels for x in pixel] for pixels in pictures]
 
 
 class Merge(InFolder):

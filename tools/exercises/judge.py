@@ -177,12 +177,8 @@ def last_in_the_loop(header, exercises):
     return Judged("", LOOP, f"{place_in_tree(header)}:{loop}", {})
 
 
-def as_json(stage, title, verdict, error):
-    """All of it, for programs; `error` is the compiler's, where there is no verdict."""
-    if verdict is None:
-        return json.dumps(
-            {"stage": stage, "title": title, "passed": False, "points": 0, "error": error}, indent=1
-        )
+def as_dictionary(stage, title, verdict):
+    """All of it, for programs."""
     rows = [
         {
             "number": one.number,
@@ -198,19 +194,25 @@ def as_json(stage, title, verdict, error):
     ]
     late = verdict.late
     whole = late and {"number": late.number, "title": late.title, "test": late.test, "message": late.says}
-    return json.dumps(
-        {
-            "stage": stage,
-            "title": title,
-            "passed": verdict.passed,
-            "points": verdict.points,
-            "out_of": verdict.out_of,
-            "exercises": rows,
-            "whole_stage": whole,
-            "notes": verdict.notes,
-        },
-        indent=1,
-    )
+    return {
+        "stage": stage,
+        "title": title,
+        "passed": verdict.passed,
+        "points": verdict.points,
+        "out_of": verdict.out_of,
+        "exercises": rows,
+        "whole_stage": whole,
+        "notes": verdict.notes,
+    }
+
+
+def as_json(stage, title, verdict, error):
+    """The same as a document; `error` is the compiler's, where there is no verdict."""
+    if verdict is None:
+        found = {"stage": stage, "title": title, "passed": False, "points": 0, "error": error}
+    else:
+        found = as_dictionary(stage, title, verdict)
+    return json.dumps(found, indent=1)
 
 
 def as_markdown(stage, title, verdict, error):

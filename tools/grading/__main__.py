@@ -48,7 +48,8 @@ class Class:
     """The submissions of a stage, and where their results are."""
 
     def __init__(self, options):
-        self.stage, self.title = options.stage, header_of(options.stage).parent.name
+        header_of(options.stage)  # or says which stages have exercises
+        self.stage = options.stage
         self.folder = (options.out or BUILD / "class" / f"stage{options.stage}").absolute()
         self.submissions = submissions(options.folder, options.roster)
         self.names_hidden = options.hide_names
@@ -83,9 +84,8 @@ def judge_all(whole, chosen, jobs):
     with concurrent.futures.ProcessPoolExecutor(max(1, jobs), fork, start_worker) as pool:
         waiting = {pool.submit(judge_one, one, whole.place(one)): one for one in chosen}
         for count, done in enumerate(concurrent.futures.as_completed(waiting), 1):
-            one = waiting[done]
-            whole.results[one.name] = done.result()
-            result = done.result()
+            one, result = waiting[done], done.result()
+            whole.results[one.name] = result
             words = f"{result['points']} of {result['out_of']}, {page.in_short(result)}"
             print(f"{count:4}/{len(chosen)}  {page.plain(one.name)}: {words}", flush=True)
 

@@ -16,13 +16,13 @@ import subprocess
 
 from tests.runner import report, suite
 from tools.exercises import compiler
-from tools.exercises.judge import as_json, judge, last_in_the_loop
+from tools.exercises.judge import Judged, Verdict, as_dictionary, judge, last_in_the_loop
 from tools.exercises.marks import marks
-from tools.grading.pictures import picture_files
 from tools.grading import sandbox, screen
+from tools.grading.pictures import picture_files
 from tools.grading.submissions import Refused
 from tools.grading.workshop import SAMPLES
-from tools.tree import BUILD, SCENES, Failure, program_path
+from tools.tree import BUILD, SCENES, Failure, program_path, write_whole
 
 COMPILING = sandbox.Limits(seconds=60, memory=2048 * sandbox.MB)
 RUNNING = sandbox.Limits(seconds=300, memory=2048 * sandbox.MB)
@@ -60,37 +60,16 @@ def grade(submission, workshop, folder):
     result = empty(workshop) | result
     result |= {"key": key, "header": hashlib.sha256(header).hexdigest() if header else ""}
     result["seconds"] = round(sum(os.times()[:4]) + sandbox.clock.seconds - before, 2)
-    new = folder / "new.json"
-    new.write_text(json.dumps(result, indent=1), encoding="utf-8")
-    new.replace(kept)
+    write_whole(kept, json.dumps(result, indent=1))
     return result
 
 
 def empty(workshop):
     """What every result has: no exercise is done."""
-    tasks = workshop.tasks
-    rows = [
-        {
-            "number": number,
-            "title": title,
-            "state": "not judged",
-            "points": 0,
-            "out_of": task["points"],
-            "test": "",
-            "message": "",
-        }
-        for number, (title, task) in tasks.items()
-    ]
-    out_of = sum(row["out_of"] for row in rows)
-    return {
-        "state": "judged",
-        "error": "",
-        "points": 0,
-        "out_of": out_of,
-        "exercises": rows,
-        "whole_stage": None,
-        "pictures": [],
-    }
+    tasks = workshop.tasks.items()
+    rows = [Judged(number, title, "", task, "not judged") for number, (title, task) in tasks]
+    whole = as_dictionary(workshop.stage, "", Verdict(rows))
+    return {"state": "judged", "error": "", "pictures": [], **whole}
 
 
 def judged(header, workshop, folder):
@@ -126,7 +105,7 @@ def judged(header, workshop, folder):
         )
     for path in ("tests", "render", "code.cpp"):
         (folder / path).unlink(missing_ok=True)
-    return json.loads(as_json(workshop.stage, "", verdict, "")) | {"pictures": pictures}
+    return as_dictionary(workshop.stage, "", verdict) | {"pictures": pictures}
 
 
 def run_suite(program, run, stage, *options):
@@ -141,18 +120,14 @@ def build(workshop, folder):
     """Compiles and links; returns what went wrong, or nothing."""
     source, fits = workshop.split(folder)
     code, tests, program = "/tmp/code.o", "/tmp/tests", "/tmp/render"
-    given, name = workshop.folder, f"stage{workshop.stage}"
     commands = [workshop.compiling(source, code)]
     reads = [*workshop.compiler_reads(), (folder / workshop.suite.name, workshop.header), source]
-    objects, main = [], given / "main.o"
+    suite, main = None, workshop.folder / "main.o"
     if not fits:
-        objects, main = ["/tmp/suite.o"], "/tmp/main.o"
-        commands += workshop.compiling_anew(folder / "declared", objects[0], main)
+        suite, main = "/tmp/suite.o", "/tmp/main.o"
+        commands += workshop.compiling_anew(folder / "declared", suite, main)
         reads += [folder / "declared", *workshop.test_reads()]
-    linking = [
-        workshop.linking(f"{name}_tests", [given / "seal.o", code, *objects], tests),
-        workshop.linking(name, [main, code], program),
-    ]
+    linking = [workshop.linking_tests(code, suite, tests), workshop.linking_program(code, main, program)]
     reads += [path for words in linking for path in workshop.read_by(words)]
     commands += linking
     done = sandbox.run(commands, reads, [tests, program], COMPILING, workshop.suite.folder)
@@ -201,21 +176,21 @@ def sealed_run(workshop, dead, program, *options, **others):
     if outcome.why and not outcome.tests:
         dead.append(outcome)
     if outcome.passed or not (outcome.tests or outcome.why):
-        mark = secret.decode()
-        said = [
-            line.removeprefix(mark)
-            for line in lines.data.decode(errors="replace").splitlines()
-            if line.startswith(mark)
-        ]
-        passed = sorted(line[1:] for line in said if line)
-        expected = sorted(workshop.tests_of(options))
-        if passed != expected or "" not in said or passed != sorted(test.name for test in outcome.tests):
+        ran = sorted(test.name for test in outcome.tests)
+        if not sealed(lines.data, secret) == ran == sorted(workshop.tests_of(options)):
             outcome.end = "crash"
             outcome.why = (
                 "The program says that its tests have passed, but the tests have not said so. "
                 "Something in it writes reports, or ends it."
             )
     return outcome
+
+
+def sealed(data, secret):
+    """The names of the tests that have passed, sorted, or None where the run has not said
+    that it is at its end: the secret alone."""
+    lines = [line.removeprefix(secret) for line in data.splitlines() if line.startswith(secret)]
+    return sorted(line[1:].decode(errors="replace") for line in lines if line) if b"" in lines else None
 
 
 def look(picture, workshop, folder):
@@ -229,7 +204,7 @@ def look(picture, workshop, folder):
         command += ["--spp", SAMPLES, "--seed", seed, "--threads", 2]
         done = sandbox.run(
             [command],
-            [(picture.files, "/scenes"), folder / "render", *workshop.libraries()],
+            [(picture.scene.parent, "/scenes"), folder / "render", *workshop.libraries()],
             ["/tmp/picture.pfm"],
             RENDERING,
         )
@@ -244,10 +219,8 @@ def look(picture, workshop, folder):
             text=True,
             errors="replace",
         )
-        said = next(iter((compared.stdout or compared.stderr).splitlines()), "").replace(
-            ": A is ", ": it is "
-        )
-        said = said.replace(f"{mine}: ", "")
+        said = next(iter((compared.stdout or compared.stderr).splitlines()), "")
+        said = said.replace(": A is ", ": it is ").replace(f"{mine}: ", "")
         result |= {"says": said, "wrong": compared.returncode != 0}
         if compared.returncode != 1:
             break

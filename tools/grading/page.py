@@ -1,11 +1,11 @@
 """The page of a class: one folder that works from a disk, without network."""
 
+import functools
 import html
-import os
 import re
 from pathlib import Path
 
-from tools.tree import ROOT
+from tools.tree import ROOT, write_whole
 
 HERE = Path(__file__).parent
 VIEWER = ROOT / "tools/book/viewer.js"
@@ -15,13 +15,6 @@ CAPTION = (
     "Difference: black where both agree; red where the student's is brighter, blue where it is "
     "darker. z: the same in units of the noise, with the full color at 6 standard deviations."
 )
-
-
-def replace(path, text):
-    """Writes a file whole, or not at all."""
-    new = path.with_name(f".new-{os.getpid()}-{path.name}")
-    new.write_text(text, encoding="utf-8", errors="replace")
-    new.replace(path)
 
 
 def plain(name):
@@ -118,16 +111,20 @@ def row_of(one, result, names, place):
     return f"<tr>{''.join(cells)}</tr>"
 
 
+@functools.cache
+def text_in(path):
+    return path.read_text(encoding="utf-8")
+
+
 def filled(template, **parts):
     """A page of this folder, with its parts."""
-    text = (HERE / template).read_text(encoding="utf-8")
-    parts["style"] = (HERE / "page.css").read_text(encoding="utf-8")
-    return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], text)
+    parts["style"] = text_in(HERE / "page.css")
+    return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], text_in(HERE / template))
 
 
 def viewer_style():
     """The book's rules for figures that open large."""
-    text = BOOK_STYLE.read_text(encoding="utf-8")
+    text = text_in(BOOK_STYLE)
     return text[text.index("/* A figure opened large") :].split("\n\n/*")[0]
 
 
@@ -147,7 +144,7 @@ def figure(picture):
     )
 
 
-def student_page(whole, one, names, style):
+def student_page(whole, one, names):
     result, (name, _) = whole.results[one.name], names[one.name]
     rows = "".join(
         f'<tr><th scope="row">{row["number"]}</th><td>{escape(row["title"])}</td><td>{escape(row["state"])}</td>'
@@ -164,17 +161,17 @@ def student_page(whole, one, names, style):
         rows=rows,
         repeat=repeat,
         pictures=(f"<h2>Pictures</h2><p>{CAPTION}</p>{pictures}" if pictures else ""),
-        viewer_style=style,
-        viewer=VIEWER.read_text(encoding="utf-8"),
+        viewer_style=viewer_style(),
+        viewer=text_in(VIEWER),
     )
 
 
 def write(whole, workshop):
-    names, style = shown_names(whole), viewer_style()
+    names = shown_names(whole)
     numbers = [(number, title) for number, (title, _) in workshop.tasks.items()]
     rows = [row_of(one, whole.results[one.name], names, whole.place(one).name) for one in whole.submissions]
     for one in whole.submissions:
-        replace(whole.place(one) / "index.html", student_page(whole, one, names, style))
+        write_whole(whole.place(one) / "index.html", student_page(whole, one, names))
     heads = "".join(f'<th scope="col" title="{escape(title)}">{number}</th>' for number, title in numbers)
     text = filled(
         "class.html",
@@ -183,4 +180,4 @@ def write(whole, workshop):
         rows="\n".join(rows),
         bars="".join(bars(whole)),
     )
-    replace(whole.folder / "index.html", text)
+    write_whole(whole.folder / "index.html", text)

@@ -2,23 +2,13 @@
 
 import base64
 import math
-import re
 import struct
 
 from tools.exercises.picture import color, difference, exposure_of, png, rows_of
-from tools.tree import read_pfm
+from tools.tree import read_pfm, read_variance
 
 # Differences of this many standard deviations have the full color.
 FULL = 6
-
-
-def variance_of(path, width, height):
-    """Of one sample, pixel by pixel from the top: the second picture of the file."""
-    whole = path.read_bytes().split(b"\n", 3)[3][12 * width * height :]
-    head = re.match(rb"PF\n(?:#[^\n]*\n)*\d+ \d+\n-1\.0\n", whole)
-    pixels = list(struct.iter_unpack("<3f", whole[head.end() :][: 12 * width * height]))
-    rows = [pixels[i : i + width] for i in range(0, len(pixels), width)]
-    return [pixel for row in reversed(rows) for pixel in row]
 
 
 def z_color(mine, expected, variance):
@@ -39,16 +29,17 @@ def picture_files(mine, reference, samples, folder):
     """Writes PNGs into a folder; returns what the page needs beside them."""
     width, height, ours = read_pfm(mine)
     _, _, expected = read_pfm(reference)
-    variance = [tuple(x / samples for x in pixel) for pixel in variance_of(mine, width, height)]
+    *_, variance = read_variance(mine)
+    variance = [tuple(x / samples for x in pixel) for pixel in variance]
     exposure = exposure_of(rows_of((width, height, expected)))
-    rows = {
+    parts = {
         "student": [color(pixel, exposure) for pixel in ours],
         "reference": [color(pixel, exposure) for pixel in expected],
         "difference": list(map(difference, ours, expected)),
         "z": list(map(z_color, ours, expected, variance)),
     }
     folder.mkdir(exist_ok=True)
-    for name, pixels in rows.items():
-        lines = [b"".join(pixels[i : i + width]) for i in range(0, len(pixels), width)]
-        (folder / f"{name}.png").write_bytes(png(lines))
+    for name, pixels in parts.items():
+        rows = rows_of((width, height, pixels))
+        (folder / f"{name}.png").write_bytes(png([b"".join(row) for row in rows]))
     return {"size": [width, height], "student": values(ours), "reference": values(expected)}

@@ -8,6 +8,7 @@ and files, and `Guard` what all of its processes have together.
 
 import os
 import re
+import shlex
 import shutil
 import sys
 from dataclasses import dataclass
@@ -17,10 +18,10 @@ from tests.runner import process, watch
 from tools.tree import Failure
 
 MB = 1 << 20
-PAGE = os.sysconf("SC_PAGE_SIZE") if hasattr(os, "sysconf") else 4096
+PAGE = os.sysconf("SC_PAGE_SIZE")
 # Who runs a student's code where root grades: no limit counts the processes of root.
 NOBODY = 65534
-OWNER = NOBODY if hasattr(os, "geteuid") and os.geteuid() == 0 else None
+OWNER = NOBODY if os.geteuid() == 0 else None
 # Where a program finds libraries and the compiler its parts.
 SYSTEM = ("bin", "sbin", "lib", "lib32", "lib64", "libx32")
 CONFIGURED = ("/etc/alternatives", "/etc/ld.so.cache", "/etc/ld.so.conf", "/etc/ld.so.conf.d")
@@ -129,7 +130,7 @@ clock = Clock()
 
 @dataclass
 class Done:
-    """The end of a run: `code` is negative for a signal, `stopped` says why it was stopped."""
+    """The end of a run: `code` is the shell's, `stopped` says why it was stopped."""
 
     code: int
     stopped: str
@@ -137,16 +138,14 @@ class Done:
     files: list  # the bytes of each
 
 
-def run(command, reads, outputs=(), limits=None, folder="/tmp", most=64 * MB):
-    """Runs words of a shell command, with `outputs`, files that it leaves, as the result.
-
-    `command` is a list of commands, each a list of words; all must succeed."""
-    limits = limits or Limits()
+def run(commands, reads, outputs=(), limits=Limits(), folder="/tmp", most=64 * MB):
+    """Runs commands, each a list of words, as long as they succeed. The result has the
+    files `outputs`, which they leave."""
     taken, printed = [Taken(most) for _ in outputs], process.Printed()
-    lines = [" ".join(map(quoted, one)) for one in command]
+    lines = [shlex.join(map(str, one)) for one in commands]
 
     def words(time, *pipes):
-        copies = [f"cat {quoted(name)} > /dev/fd/{pipe}" for name, pipe in zip(outputs, pipes)]
+        copies = [f"cat {shlex.quote(name)} > /dev/fd/{pipe}" for name, pipe in zip(outputs, pipes)]
         script = " && ".join([*lines, *copies])
         return [*sandbox(reads, limits, time, folder), "sh", "-c", script]
 
@@ -162,10 +161,6 @@ def run(command, reads, outputs=(), limits=None, folder="/tmp", most=64 * MB):
     if any(one.too_much for one in taken):
         stopped = stopped or "much"
     return Done(code, stopped, printed.text(), [one.data for one in taken])
-
-
-def quoted(word):
-    return "'" + str(word).replace("'", "'\\''") + "'"
 
 
 def check():

@@ -6,7 +6,8 @@ import json
 import re
 from xml.etree import ElementTree
 
-from tools.grading.page import message_of, replace
+from tools.grading.page import message_of
+from tools.tree import write_whole
 
 CONTROL = re.compile(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -86,9 +87,9 @@ def junit(whole):
 
 
 def write(whole):
-    replace(whole.folder / "points.csv", points(whole))
-    replace(whole.folder / "moodle.csv", moodle(whole))
-    replace(whole.folder / "junit.xml", junit(whole))
+    write_whole(whole.folder / "points.csv", points(whole))
+    write_whole(whole.folder / "moodle.csv", moodle(whole))
+    write_whole(whole.folder / "junit.xml", junit(whole))
     for one in whole.submissions:
         text = json.dumps(gradescope(whole.results[one.name]), indent=1)
-        replace(whole.place(one) / "results.json", text)
+        write_whole(whole.place(one) / "results.json", text)

@@ -12,12 +12,13 @@ import subprocess
 import sys
 import tempfile
 import time
-import tomllib
+import types
 import unittest
 import zipfile
 from pathlib import Path
 from xml.etree import ElementTree
 
+from tests.mistakes.mistakes import changed_header, read_mistakes
 from tools.grading import one_node_slurm, page, sandbox, screen, submissions, tables
 from tools.grading.workshop import only_adds
 from tools.handout.opened import opened
@@ -41,14 +42,11 @@ def at_start(code):
     return with_code(f"struct Early {{ Early() {{ {code} }} }};\ninline Early early;")
 
 
-def mistake(name):
-    every = tomllib.loads((ROOT / "tests/mistakes/stage1.toml").read_text())["mistake"]
-    one = next(one for one in every if one["name"] == name)
-    text = TEXT
-    for edit in one.get("edit") or [one]:
-        assert edit["find"] in text
-        text = text.replace(edit["find"], edit["replace"])
-    return text
+MISTAKES = read_mistakes(ROOT / "tests/mistakes/stage1.toml")
+
+
+def mistake(number):
+    return changed_header(MISTAKES[number], types.SimpleNamespace(header=HEADER))
 
 
 class InFolder(unittest.TestCase):
@@ -372,7 +370,7 @@ class Grading(InFolder):
             "handed-out": opened(HEADER),
             "right-with-more": with_code("inline float twice(float x) { return 2 * x; }"),
             weird.replace("/", "_"): TEXT,
-            "wrong": mistake(self.names()[0]),
+            "wrong": mistake(0),
             "no-semicolon": TEXT.replace("std::sqrt(1", "std::sqr(1", 1),
             "exit": at_start("std::exit(0);"),
             "forged": "#include <cstdio>\n" + at_start(forged),
@@ -429,12 +427,6 @@ class Grading(InFolder):
         )
 
     @staticmethod
-    def names():
-        return [
-            one["name"] for one in tomllib.loads((ROOT / "tests/mistakes/stage1.toml").read_text())["mistake"]
-        ]
-
-    @staticmethod
     def everything():
         """The tree's files, and when they were written."""
         places = ("common", "stages", "tests", "scenes", "tools")
@@ -465,7 +457,7 @@ class Grading(InFolder):
 
     def test_killed_at_any_moment_it_goes_on(self):
         for number in range(6):
-            self.put(f"s{number}", f"{TEXT}// {number}\n" if number % 2 else mistake(self.names()[number]))
+            self.put(f"s{number}", f"{TEXT}// {number}\n" if number % 2 else mistake(number))
         expected, _ = self.of_class(self.folder / "undisturbed")
         chance = random.Random(1)
         command = [sys.executable, "-B", "-m", "tools.grading", self.given, "1", "--out", self.folder / "out"]

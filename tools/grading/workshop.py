@@ -15,7 +15,7 @@ from tools.exercises.compiler import build
 from tools.exercises.marks import marks
 from tools.exercises.sheet import read_tasks
 from tools.grading import sandbox
-from tools.tree import BUILD, ROOT, SCENES, Failure, program_path
+from tools.tree import BUILD, ROOT, SCENES, Failure, program_path, write_whole
 
 # What a handout's headers include, and this tree's do not.
 HANDED_OUT = ROOT / "tools/handout/tree"
@@ -32,11 +32,6 @@ class Picture:
     options: tuple
     reference: Path
 
-    @property
-    def files(self):
-        """The scene and what it may refer to, for the sandbox."""
-        return self.scene.parent
-
 
 class Workshop:
     """How to build a stage's suite and program with another header."""
@@ -44,13 +39,13 @@ class Workshop:
     def __init__(self, stage, hidden=None):
         sandbox.check()
         self.stage = stage
-        for target in (f"stage{stage}_tests", f"stage{stage}", "stage-diff"):
-            said, made = build(target)
-            if not made:
-                raise Failure(f"the reference does not build: {said[-500:]}")
+        said, made = build(f"stage{stage}_tests", f"stage{stage}", "stage-diff")
+        if not made:
+            raise Failure(f"the reference does not build: {said[-500:]}")
         self.suite = Suite(stage)
         self.header = self.suite.header
         self.main = Command(f"stage{stage}", "main.cpp")
+        self.link = link_command(f"stage{stage}", self.suite.folder)
         self.folder = BUILD / "class" / "shared" / f"stage{stage}"
         self.folder.mkdir(parents=True, exist_ok=True)
         self.pictures = [*self.goldens(), *self.hidden(hidden)]
@@ -98,7 +93,7 @@ class Workshop:
             self.suite.tests.run(seal, self.folder / "seal.o")
             declared = BUILD / "tests/generated/declared"
             self.main.run(self.main.source, self.folder / "main.o", [f"-I{declared}"])
-            note.write_text(json.dumps(self.key))
+            write_whole(note, json.dumps(self.key))
         for one in self.pictures:
             if not one.reference.exists():
                 self.render_reference(one)
@@ -148,14 +143,14 @@ class Workshop:
         return code, only_adds(mine, given)
 
     def compiling(self, source, target):
-        return without_cache(self.suite.code.words_for(source, target, [f"-I{HANDED_OUT}"]))
+        return self.suite.code.words_for(source, target, [f"-I{HANDED_OUT}"])
 
     def compiling_anew(self, declared, suite, main):
         """The tests and the program's main file with what a header declares, where that is
         not what they were compiled with."""
         options = [f"-I{declared}", f"-I{HANDED_OUT}"]
-        yield without_cache(self.suite.tests.words_for(self.suite.tests.source, suite, options))
-        yield without_cache(self.main.words_for(self.main.source, main, options))
+        yield self.suite.tests.words_for(self.suite.tests.source, suite, options)
+        yield self.main.words_for(self.main.source, main, options)
 
     def test_reads(self):
         """What the tests are compiled from: no solution, no golden."""
@@ -168,16 +163,17 @@ class Workshop:
         tests = [path for path in (ROOT / "tests").iterdir() if path.name != "golden"]
         return [*paths, self.main.source, *tests]
 
-    def linking(self, program, objects, target):
-        """Links the suite or the program from these objects, and all of the reference's
-        that they do not replace."""
-        words = without_cache(link_command(program, self.suite.folder))
-        gone = [f"stage{self.stage}_header.dir/", f"stage{self.stage}.dir/"]
-        if "/tmp/suite.o" in objects:
+    def linking_tests(self, code, suite, target):
+        """The suite, with the student's code, and with the tests where they were compiled
+        anew. The seal is linked first."""
+        objects, gone = [self.folder / "seal.o", code], [f"stage{self.stage}_header.dir/"]
+        if suite:
+            objects.append(suite)
             gone.append(f"stage{self.stage}_tests.dir/")
-        words = [word for word in words if not any(name in word for name in gone)]
-        place = words.index("-o")
-        return [words[0], *map(str, objects), *words[1:place], "-o", target, *words[place + 2 :]]
+        return relinked(self.suite.link, objects, gone, target)
+
+    def linking_program(self, code, main, target):
+        return relinked(self.link, [main, code], [f"stage{self.stage}.dir/"], target)
 
     def read_by(self, words):
         """The files that a link reads."""
@@ -185,8 +181,11 @@ class Workshop:
         return [path for path in paths if path.exists() and not path.is_relative_to("/usr")]
 
 
-def without_cache(words):
-    return [str(word) for word in words[Path(words[0]).name in ("ccache", "sccache") :]]
+def relinked(link, objects, gone, target):
+    """A link's words with these objects first, and without those that they replace."""
+    words = [word for word in link if not any(name in word for name in gone)]
+    place = words.index("-o")
+    return [words[0], *map(str, objects), *words[1:place], "-o", target, *words[place + 2 :]]
 
 
 def only_adds(mine, given):
