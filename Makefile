@@ -4,7 +4,7 @@
 # Against injection: what users type goes to programs through the environment,
 # unexpanded, and recipes use it as a quoted shell variable.
 typed := A B SCENE OPTIONS MISTAKES MUTANTS BASE SEEDS HARNESS STAGE OUT INTO \
-  SOLUTIONS ORDERS FRESH SECONDS LIMIT FROM ROSTER HIDDEN HIDE ONLY ENGINE BUILD
+  SOLUTIONS ORDERS FRESH SECONDS LIMIT FROM ROSTER HIDDEN HIDE ONLY READ ENGINE BUILD
 $(foreach name,$(typed),$(eval override $(name) := $$(value $(name))))
 export $(filter-out BUILD,$(typed))
 
@@ -60,8 +60,8 @@ To teach
   make handouts      test all handouts, from open to solved
   make class FROM=folder STAGE=3     grade the submissions in a folder, in a sandbox:
                      a page with pictures, points.csv; OUT=folder, ROSTER=file.csv,
-                     HIDDEN=folder (scenes of your own), HIDE=1 (no names on the
-                     page), ONLY=name (one again, explained), ENGINE=slurm
+                     HIDDEN=folder (scenes of your own), HIDE=1 (a page without
+                     names), ONLY=name (one again, explained), ENGINE=slurm
   make diff A=stage3 B=stage4 SCENE=scenes/plastic.toml
                      render and compare two stages, images or programs
   make book          weave the book: $(BUILD)/book/index.html; make book-pdf prints it
@@ -155,7 +155,7 @@ class: setup-class $(BUILD)/CMakeCache.txt
 	@python3 -B -m tools.grading "$$FROM" "$$STAGE" --jobs $(JOBS) \
 	  $${OUT:+--out "$$OUT"} $${ROSTER:+--roster "$$ROSTER"} \
 	  $${HIDDEN:+--hidden "$$HIDDEN"} $${HIDE:+--hide-names} \
-	  $${ONLY:+--only "$$ONLY"} $${ENGINE:+--engine "$$ENGINE"}
+	  $${ONLY:+--only "$$ONLY"} $${READ:+--read} $${ENGINE:+--engine "$$ENGINE"}
 
 test-class: setup-class setup-slurm $(BUILD)/CMakeCache.txt
 	@$(compile) stage1 stage1_tests stage-diff

@@ -111,7 +111,7 @@ def first_failure(outcome):
     if not outcome.why:
         return failed or summary(outcome)
     words = last_words(outcome) if outcome.end == "crash" else ""
-    words += "\n" if words else ""
+    words = f"It printed last:\n{words}\n" if words else ""
     if came_first(outcome, tests):
         return f"{failed}\n{words}" + wrapped(f"Then t{outcome.why[1:]}")
     return words + wrapped(outcome.why) + ("\n" + failed if failed else "")

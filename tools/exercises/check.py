@@ -16,7 +16,7 @@ import sys
 import textwrap
 
 from tests.runner import report
-from tools.exercises import compiler
+from tools.exercises import compiler, screen
 from tools.exercises.configure import configure
 from tools.exercises.judge import as_json, as_markdown, judge
 from tools.exercises.marks import marks
@@ -102,6 +102,12 @@ def integer_divisions(header):
                 yield f"{where}: {found[0]} is a division of integers: {whole}. Write {found[1]}.0f / {found[2]}."
 
 
+def to_be_read(header):
+    """What the grader will ask a person to read."""
+    remark = screen.remark(text_of(header))
+    return remark and f"note: {remark}\nNo exercise needs that, so it will be read before it is graded."
+
+
 def built(stage, header):
     """Compiles the stage and its tests; returns what to say of the header, or None
     where they do not compile and all has been said."""
@@ -173,6 +179,8 @@ def check(stage, watched=False):
     print("\n".join(list_of(verdict)) + "\n")
     if warnings:
         print(warnings + "\n")
+    if remark := to_be_read(header):
+        print(remark + "\n")
     remember(stage, verdict.first)
     if verdict.late:
         print("Each exercise passes its own tests, but the whole stage does not:\n")
@@ -225,11 +233,11 @@ def hint(stage):
 class Parser(argparse.ArgumentParser):
     def error(self, message):
         """Says it in one line, without the usage."""
-        self.exit(2, f"check: {message}\n")
+        self.exit(2, f"{self.prog}: {message}\n")
 
 
 def main():
-    parser = Parser(description=__doc__.splitlines()[0])
+    parser = Parser(prog="check", description=__doc__.splitlines()[0])
     parser.add_argument("stage", nargs="?")
     parser.add_argument("--watch", action="store_true", help="check at each save")
     parser.add_argument("--hint", action="store_true", help="the next hint for the exercise that is not done")

@@ -20,9 +20,9 @@ from pathlib import Path
 from tests.runner import watch
 from tests.runner.doctest_report import Test
 from tests.runner.suite import Outcome
-from tools.exercises import at_each_save, check, compiler, configure, judge, picture, words
+from tools.exercises import at_each_save, check, compiler, configure, judge, picture, screen, words
 from tools.exercises.sheet import headers_with_exercises
-from tools.tree import ROOT, sum_of
+from tools.tree import ROOT, stage_headers, sum_of
 
 
 def make_endless(path):
@@ -66,7 +66,7 @@ class Messages(unittest.TestCase):
         crash = Outcome("stage3_tests", printed=assertion, end="crash", why="The tests crashed")
         self.assertEqual(
             judge.explained(crash),
-            "  optional:477: Assertion 'this->_M_is_engaged()' failed.\n\nThe tests crashed",
+            "It printed last:\n  optional:477: Assertion 'this->_M_is_engaged()' failed.\n\nThe tests crashed",
         )
 
     def test_a_sharper_failure_is_explained_before_a_crash(self):
@@ -146,6 +146,80 @@ class Compiler(unittest.TestCase):
                 seen = list(check.integer_divisions(header))
         self.assertEqual(len(seen), 1, seen)
         self.assertIn("path_tracer.hpp:4: 1 / 2 is a division of integers: 0. Write 1.0f / 2.", seen[0])
+
+
+class ToBeRead(unittest.TestCase):
+    """What could forge a report is read by a person before it is graded."""
+
+    def test_a_student_is_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            header = Path(folder) / "path_tracer.hpp"
+            header.write_text("int a;\n#include <thread>\n")
+            self.assertIn("note: line 2: #include: #include <thread>\n", check.to_be_read(header))
+            header.write_text("int a;\n#include <vector>\n")
+            self.assertEqual(check.to_be_read(header), "")
+
+    def test_the_chapters_pass(self):
+        for header in stage_headers()[:5]:
+            self.assertEqual(screen.remark(header.read_text()), "", header)
+
+    def test_what_students_write_passes(self):
+        for code in (
+            "  // a coordinate system, not an extern \\theta: don't",
+            '#include <cmath>\n#include <iostream>\nstd::cerr << "in reflect: " << __func__ << std::endl;',
+            "const float million = 1'000'000;",
+            "float x = 1;  // the system's signal",
+            '#include <math.h>\n#include <map>  // for the lights\n#include <stdexcept>\n#include "glm/glm.hpp"',
+            "float system = 1, fork = 2;",
+            '/* an extern lamp, it\'s "outside" */ float x;',
+            "#define TWICE(x) \\\n  (2 * (x))\nfloat x = TWICE(1);",
+            "#pragma once\n#pragma region mine\n#pragma endregion",
+            "#if 0\n#else\n# endif\n#",
+            "char a = '\"', b = '\\'', *c = \"//\", *d = \"/*\";",
+        ):
+            self.assertEqual(screen.remark(code), "", code)
+
+    def test_it_says_where(self):
+        code = "int a;\n#define B \\\n  2\n/*\n*/ void f() { as\\\nm(0); }"
+        self.assertEqual(screen.remark(code), "line 5: asm: */ void f() { as\\")
+        self.assertEqual(
+            screen.remark("\n#include /**/ <thread>"), "line 2: #include: #include /**/ <thread>"
+        )
+
+    def test_attacks_do_not(self):
+        for code in (
+            'asm("nop");',
+            '#include "/etc/passwd"',
+            '#include "../../tests/golden/goldens.toml"',
+            "#include <fstream>",
+            "# include /**/ <thread>",
+            '%:include "/etc/passwd"',
+            '#include "common/../../x.hpp"',
+            "#include MINE",
+            "#include <a/*b>\nasm(0);\n// */",
+            "#if 0\n' /*\n#endif\nasm(0);\n// */",
+            "/* no end",
+            '_Pragma("GCC optimize 0")',
+            "[[/**/ gnu::constructor]] void f();",
+            'extern "C" int open(const char*, int);',
+            "#define A as##m",
+            "as\\\nm(0);",
+            "as\\ \t\r\nm(0);",
+            "__asm__(0);",
+            "[[gnu::constructor]] void f();",
+            "[[ using gnu: constructor]] void f();",
+            "__attribute__((constructor)) void f();",
+            "#pragma GCC optimize 0",
+            '#line 1 "tests/a.cpp"',
+            "/*\n// */ asm(0);",
+            'auto a = R"(\n// )"; asm(0);',
+            '#define FOOR\nFOOR"(" ; asm(0); ")"',
+            "// \\\n;\nasm(0);",
+            "int a = 1'0; asm(0); int b = 1'0;",
+            "int a = '\\\n//'; asm(0);",
+            "int a = '//'; asm(0);",
+        ):
+            self.assertNotEqual(screen.remark(code), "", code)
 
 
 class Configured(unittest.TestCase):

@@ -12,13 +12,15 @@ import hashlib
 import json
 import os
 import secrets
+import shutil
 import subprocess
+import textwrap
 
 from tests.runner import report, suite
-from tools.exercises import compiler
+from tools.exercises import compiler, screen
 from tools.exercises.judge import Judged, Verdict, as_dictionary, judge, last_in_the_loop
-from tools.exercises.marks import marks
-from tools.grading import sandbox, screen
+from tools.exercises.marks import OPENS, exercises, marks, order
+from tools.grading import sandbox
 from tools.grading.pictures import picture_files
 from tools.grading.submissions import Refused
 from tools.grading.workshop import SAMPLES
@@ -40,23 +42,26 @@ STOPPED = {
 
 def grade(submission, workshop, folder):
     """The result as a dictionary, from the folder's result.json where nothing has
-    changed; else it is written there, whole."""
+    changed ("kept"); else it is written there, whole."""
     kept = folder / "result.json"
     try:
         header, refused = submission.header(workshop.stage) if submission.path else b"", ""
     except Refused as error:
         header, refused = b"", str(error)
-    key = hashlib.sha256(header + refused.encode() + workshop.key.encode()).hexdigest()
+    was_read = has_read(folder, header)
+    key = hashlib.sha256(header + refused.encode() + workshop.key.encode() + bytes([was_read])).hexdigest()
     if kept.exists():
         result = json.loads(kept.read_text(encoding="utf-8"))
         if result["key"] == key:
-            return result
+            return result | {"kept": True}
     folder.mkdir(parents=True, exist_ok=True)
     before = sum(os.times()[:4]) + sandbox.clock.seconds
     if not submission.path:
         result = {"state": "nothing handed in"}
+    elif refused:
+        result = {"state": "refused", "error": refused}
     else:
-        result = {"state": "refused", "error": refused} if refused else judged(header, workshop, folder)
+        result = judged(header, workshop, folder, was_read)
     result = empty(workshop) | result
     result |= {"key": key, "header": hashlib.sha256(header).hexdigest() if header else ""}
     result["seconds"] = round(sum(os.times()[:4]) + sandbox.clock.seconds - before, 2)
@@ -64,38 +69,59 @@ def grade(submission, workshop, folder):
     return result
 
 
+def note_read(folder, header):
+    """From now on this header is judged, whatever the screen says."""
+    folder.mkdir(parents=True, exist_ok=True)
+    write_whole(folder / "read", hashlib.sha256(header).hexdigest())
+
+
+def has_read(folder, header):
+    note = folder / "read"
+    return note.exists() and note.read_text(encoding="utf-8") == hashlib.sha256(header).hexdigest()
+
+
 def empty(workshop):
     """What every result has: no exercise is done."""
     tasks = workshop.tasks.items()
     rows = [Judged(number, title, "", task, "not judged") for number, (title, task) in tasks]
     whole = as_dictionary(workshop.stage, "", Verdict(rows))
-    return {"state": "judged", "error": "", "pictures": [], **whole}
+    return {"state": "judged", "error": "", "pictures": [], "code": "", **whole}
 
 
-def judged(header, workshop, folder):
-    """Of a submission that has a header."""
-    text = header.removeprefix(b"\xef\xbb\xbf").decode("utf-8", errors="replace")
-    if remark := screen.remark(text):
-        return {"state": "refused", "error": remark}
+def put(header, workshop, folder):
+    """Writes a header where it is compiled; returns its path."""
     place = folder / workshop.suite.name
     place.parent.mkdir(parents=True, exist_ok=True)
     place.write_bytes(header)
     place.with_name("exercises.toml").write_bytes(workshop.header.with_name("exercises.toml").read_bytes())
+    return place
+
+
+def judged(header, workshop, folder, was_read):
+    """Of a submission that has a header."""
+    place = put(header, workshop, folder)
+    text = header.removeprefix(b"\xef\xbb\xbf").decode("utf-8", errors="replace")
+    stages = {match[1] for match in map(OPENS.match, map(str.strip, text.splitlines())) if match}
+    if len(stages) == 1 and int(*stages) != workshop.stage:
+        return {"state": "refused", "error": f"it is the header of stage {int(*stages)}"}
+    remark = screen.remark(text)
+    if remark and not was_read:
+        return {"state": "to be read", "error": remark}
     try:
         marks(place)
     except Failure as error:
         return {"state": "refused", "error": f"its marks of exercises are broken: {error}"}
     if broken := build(workshop, folder):
         return broken
-    dead = []  # the run that ended before its first test: so do all others
-    run = functools.partial(sealed_run, workshop, dead)
-    verdict = judge(workshop.stage, place, functools.partial(run_suite, folder / "tests", run))
+    verdict, dead = verdict_on(place, workshop, folder)
     pictures = []
     if not dead and all(one.state != "open" for one in verdict.exercises):
         for one in workshop.pictures:
             pictures.append(look(one, workshop, folder))
             if "size" not in pictures[-1]:  # it does not end, or crashes
                 break
+    if not dead:
+        judge_what_waits(header, workshop, folder, verdict)
     wrong = next((one for one in pictures if one["wrong"]), None)
     if wrong and verdict.passed:
         late = last_in_the_loop(place, verdict.exercises)
@@ -105,7 +131,53 @@ def judged(header, workshop, folder):
         )
     for path in ("tests", "render", "code.cpp"):
         (folder / path).unlink(missing_ok=True)
-    return as_dictionary(workshop.stage, "", verdict) | {"pictures": pictures}
+    shutil.rmtree(folder / "with_ours", ignore_errors=True)
+    code = code_of(place, verdict.first)
+    return as_dictionary(workshop.stage, "", verdict) | {"pictures": pictures, "code": code}
+
+
+def verdict_on(place, workshop, folder):
+    """Of a header that is built; and the run that ended before its first test, if one did:
+    so would all others."""
+    dead = []
+    run = functools.partial(run_suite, folder / "tests", functools.partial(sealed_run, workshop, dead))
+    return judge(workshop.stage, place, run), dead
+
+
+def judge_what_waits(header, workshop, folder, verdict):
+    """So that a mistake costs once: what builds on an exercise that is not done is judged
+    with our solution of that."""
+    rows, ours, folder = verdict.exercises, [], folder / "with_ours"
+    while any(one.state == "waits" for one in rows):
+        more = [one.number for one in rows if one.state in ("wrong", "open") and one.number not in ours]
+        place = put(header, workshop, folder)
+        put(with_ours(header, workshop, ours + more, place), workshop, folder)
+        if not more or build(workshop, folder):
+            break
+        ours = sorted(ours + more, key=order)
+        again, _ = verdict_on(place, workshop, folder)
+        for at, one in enumerate(rows):
+            if one.state == "waits":
+                rows[at] = again.exercises[at]
+        verdict.late = again.late
+    if ours:
+        verdict.notes.append(f"What builds on {', '.join(ours)} was judged with our solution of that.")
+
+
+def with_ours(header, workshop, numbers, place):
+    """The header's bytes with our solution of these exercises."""
+    solutions = {one.number: one.body for one in exercises(workshop.header)}
+    lines = header.decode("utf-8", errors="surrogateescape").splitlines()
+    for one in reversed(marks(place)):
+        if one.number in numbers:
+            lines[one.first - 1 : one.last] = solutions[one.number]
+    return "\n".join([*lines, ""]).encode("utf-8", errors="surrogateescape")
+
+
+def code_of(place, one):
+    """What the student wrote for an exercise that is wrong."""
+    found = next((mark for mark in marks(place) if one and mark.number == one.number), None)
+    return textwrap.dedent("\n".join(found.body)) if found and one.state == "wrong" else ""
 
 
 def run_suite(program, run, stage, *options):
@@ -160,6 +232,7 @@ def sealed_run(workshop, dead, program, *options, **others):
         seal = {"LIGHTWALK_SEAL": f"{reading},{writing}", "LD_LIBRARY_PATH": str(BUILD)}
         return sandbox.sandbox(reads, RUNNING, time, environment=seal)
 
+    sandbox.clock.began = False
     try:
         outcome = suite.run(
             program,
@@ -173,6 +246,8 @@ def sealed_run(workshop, dead, program, *options, **others):
         )
     finally:
         os.close(reading)
+    if outcome.end != "time limit":
+        sandbox.begun(outcome.printed)
     if outcome.why and not outcome.tests:
         dead.append(outcome)
     if outcome.passed or not (outcome.tests or outcome.why):

@@ -8,8 +8,9 @@ import csv
 import io
 import os
 import re
+import unicodedata
 import zipfile
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from tools.grading import sandbox
@@ -33,43 +34,74 @@ class Submission:
     name: str  # without its ending
     path: Path | None  # None where nothing was handed in
     student: str = ""  # the full name, from the roster
+    row: tuple = ()  # its cells there
 
     def header(self, stage):
         """The bytes of its header of the stage."""
-        path = self.path
+        path, ending = self.path, self.path.suffix.lower()
         if path.is_symlink():
             raise Refused(f"{path.name} is a link, which may lead out of the folder")
         if path.is_dir():
             return from_names(files_below(path), stage, lambda name: read(path, name))
-        if path.suffix == ".zip":
+        if ending == ".zip":
             return from_zip(path, stage)
-        if path.suffix == ".bundle":
+        if ending == ".bundle":
             return from_bundle(path, stage)
         return read(path.parent, path.name)
+
+
+@dataclass
+class Given:
+    """What a class has handed in."""
+
+    submissions: list
+    columns: list = field(default_factory=list)  # of the roster
+    not_read: list = field(default_factory=list)  # names of files that are no submission
+
+    @property
+    def handed_in(self):
+        return [one for one in self.submissions if one.path]
+
+    def remarks(self):
+        """What an instructor has to look at before the class is judged, a line each."""
+        if self.not_read:
+            yield f"not read, since it is no folder, .hpp, .zip or .bundle: {', '.join(self.not_read)}"
+        if self.columns:
+            if strangers := [one.name for one in self.submissions if not one.row]:
+                yield f"not in the roster: {', '.join(strangers)}"
+            if absent := [one.student or one.name for one in self.submissions if not one.path]:
+                yield f"handed in nothing: {', '.join(absent)}"
 
 
 def submissions(folder, roster=None):
     """All of them, by name; those of the roster who handed in nothing, too."""
     if not folder.is_dir():
-        raise Failure(f"FROM={folder}: there is no such folder")
-    found = {}
+        raise Failure(
+            f"FROM={folder}: {'a folder is expected' if folder.exists() else 'there is no such folder'}"
+        )
+    found, not_read = {}, []
     for path in sorted(folder.iterdir()):
-        if path.name.startswith(".") or not (path.is_symlink() or path.is_dir() or path.suffix in ENDINGS):
+        is_one = path.suffix.lower() in ENDINGS
+        if path.name.startswith("."):
             continue
-        name = path.stem if path.suffix in ENDINGS else path.name
+        if not (is_one or path.is_symlink() or path.is_dir()):
+            not_read.append(path.name)
+            continue
+        name = path.stem if is_one else path.name
         if name in found:
             raise Failure(f"{folder}: {found[name].path.name} and {path.name} are one student's")
         found[name] = Submission(name, path)
-    if roster:
-        found = with_students(found, read_roster(roster), roster)
     if not found:
-        raise Failure(f"FROM={folder}: it has no submission: no folder, header, .zip or .bundle")
-    return list(found.values())
+        raise Failure(f"FROM={folder}: it has no submission: no folder, .hpp, .zip or .bundle")
+    columns, rows = read_roster(roster) if roster else ([], [])
+    if roster:
+        found = with_students(found, rows, roster)
+    return Given(list(found.values()), columns, not_read)
 
 
 def read_roster(path):
-    """[(cells, full name)] of a table whose first line names its columns; separated by
-    commas, semicolons or tabs, in UTF-8 or Windows' letters."""
+    """The columns, and [(cells, full name)], of a table whose first line names its columns;
+    separated by commas, semicolons or tabs, in UTF-8 or Windows' letters."""
     try:
         data = path.read_bytes()
     except OSError as error:
@@ -80,38 +112,49 @@ def read_roster(path):
         text = data.decode("cp1252", errors="replace")
     separator = max(",;\t", key=text.partition("\n")[0].count)
     rows = [[cell.strip() for cell in row] for row in csv.reader(io.StringIO(text), delimiter=separator)]
-    head, students = [cell.lower() for cell in rows[0]] if rows else [], []
+    columns, students = rows[0] if rows else [], []
     for line, cells in enumerate(rows[1:], 2):
         if not any(cells):
             continue
         if not cells[0] or any(cells[0] == other[0] for other, _ in students):
             what = f"{cells[0]} is there twice" if cells[0] else "its first column is empty"
             raise Failure(f"ROSTER={path}: row {line}: {what}")
-        named = dict(zip(head, cells))
+        named = dict(zip(map(str.lower, columns), cells))
         parts = [next((named[name] for name in names if name in named), "") for names in (NAMES, FIRST, LAST)]
-        students.append((cells, parts[0] or " ".join(filter(None, parts[1:]))))
+        students.append((tuple(cells), parts[0] or " ".join(filter(None, parts[1:]))))
     if not students:
         raise Failure(f"ROSTER={path}: a line that names the columns is expected, and one for each student")
-    return students
+    return columns, students
+
+
+def same(name):
+    """What is left of a name where letters are written in another way: ö may be one letter
+    or two, and a file that was there is "ana (1)"."""
+    return re.sub(r" \(\d+\)$", "", unicodedata.normalize("NFC", name).casefold())
 
 
 def words(name):
     """Those of a name, in whatever order."""
-    return sorted(re.findall(r"[^\s,]+", name.casefold()))
+    return sorted(re.findall(r"[^\s,]+", same(name)))
+
+
+def is_of(name, cells, full):
+    """Whether a submission of this name is the student's of this row."""
+    handles = {same(cell) for cell in cells} | {same(cell).split("@")[0] for cell in cells if "@" in cell}
+    return same(name) in handles - {""} or bool(full and words(name.split("_")[0]) == words(full))
 
 
 def with_students(found, students, roster):
     """Submissions by the roster: a student's is called what stands in any of the row's
-    columns, or has the words of the full name: Moodle's folders are "Full Name_123_..."."""
+    columns, or before the @ of an address, or has the words of the full name: Moodle's
+    folders are "Full Name_123_..."."""
     every, left = {}, dict(found)
     for cells, full in students:
-        names = [
-            name for name in left if name in cells or (full and words(name.split("_")[0]) == words(full))
-        ]
+        names = [name for name in left if is_of(name, cells, full)]
         if len(names) > 1:
             raise Failure(f"ROSTER={roster}: {cells[0]} has {len(names)} submissions: {', '.join(names)}")
         one = names[0] if names else cells[0]
-        every[one] = Submission(one, left.pop(one).path if names else None, full)
+        every[one] = Submission(one, left.pop(one).path if names else None, full, cells)
     if len(left) == len(found):
         raise Failure(
             f"ROSTER={roster}: no submission is called what stands in it, as {next(iter(found))} is not"

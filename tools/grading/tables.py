@@ -36,11 +36,19 @@ def points(whole):
 
 
 def moodle(whole):
-    """For Moodle's "Grades, Import, CSV file", which asks what each column is."""
-    rows = [["ID number", "Full name", "Grade", "Maximum grade", "Feedback comments"]]
+    """For Moodle's "Grades, Import, CSV file", which asks what each column is: the roster's,
+    and the grades. Who handed in nothing has none, and who is not in the roster no row."""
+    head = ["Grade", "Maximum grade", "Feedback comments"]
+    rows = [[*(columns := whole.given.columns or ["Submission"]), *head]]
     for one in whole.submissions:
-        result = whole.results[one.name]
-        rows.append([one.name, one.student, result["points"], result["out_of"], message_of(result)])
+        result, cells = whole.results[one.name], list(one.row)
+        if not whole.given.columns:
+            cells = [one.name]
+        elif not cells:
+            continue
+        cells += [""] * (len(columns) - len(cells))
+        grade = result["points"] if one.path else ""
+        rows.append([*cells[: len(columns)], grade, result["out_of"], message_of(result)])
     return as_csv(rows)
 
 
