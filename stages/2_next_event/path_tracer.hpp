@@ -27,7 +27,7 @@
 //
 // ## The integral in two parts
 //
-// The names are those of chapter 1. Look from $x$ in the direction
+// The names are chapter 1's; $L_s$ is new. Look from $x$ in the direction
 // $\omega_i$. The ray meets the next surface at the point $y$. In clear air,
 // what arrives at $x$ is what leaves $y$. And that is what $y$ emits plus
 // what $y$ scatters:
@@ -50,14 +50,14 @@
 //
 // Now each part can have its own *estimator*, the one that suits it:
 //
-// - **Direct light.** $L_e$ is 0 except toward the lights. So choose only
+// - **Direct light.** $L_e$ is 0 except toward what shines. So choose only
 //   directions that lead to a light.
 // - **Indirect light.** $L_s$ can come from anywhere. So choose a direction
 //   as in stage 1, and go on.
 //
 // The second estimator needs care. Its path may hit a lamp by chance. The
-// lamp's $L_e$ belongs to the first integral, which has it already. So it
-// must not be added again.
+// lamp's $L_e$ belongs to the first integral, which has it already if the
+// lamp was asked. Then it must not be added again.
 //
 // ![](next-event)
 
@@ -94,14 +94,14 @@ using stage1::sample;
 // > lamp: the factor is `1 + distance_rounding`. That is $2^{-18}$ more, 4
 // > parts in a million. If it were a little less, what lies just before the
 // > lamp would cast no shadow. The shadow ray may pass the lamp a little.
-// > That is harmless, since `reaches`, below, ignores a hit of the lamp
-// > itself.
+// > That is harmless, since `reaches`, below, looks no farther than the
+// > first hit, and that is the lamp.
 
 // #region light-sample
 struct LightSample {
   Vec3 direction;  ///< unit, from the surface to the light
   Vec3 weight;     ///< W/m^2 on a surface that faces the light
-  float distance;  ///< up to here only the light itself may be met
+  float distance;  ///< how far the shadow ray looks
 };
 
 /// A bound on the relative rounding error of a distance.
@@ -121,8 +121,8 @@ inline constexpr float distance_rounding = 0x1p-18f;
 // There is one direction only, so nothing is random. (This weight is
 // $L_e/p(\omega)$ in a limit, which comes below.) In the code $I$ is
 // `light.intensity`, and the light is at `light.center`. The lab calls $I$
-// the light's power, but uses it in just this way. So nothing is divided by
-// $4\pi$.
+// the light's power. But it is per steradian, so nothing is divided by
+// $4\pi$. `const Vec2&` has no name below, because it is not used.
 //
 // The core has what the code needs: `dot(a, b)`, `length(v)` and
 // `normalize(v)` for vectors, `std::sqrt`, and `cos`, `sin` and `two_pi` for
@@ -252,7 +252,7 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // wasteful. From $x$, at the distance $d$ from the center, only a cap of the
 // sphere is visible. Its edge is where the lines of sight touch the sphere.
 // There the radius is perpendicular to the line, so the angle $\alpha$ at the
-// center has $\cos\alpha = r/d$. Seen from the center, as in stage 1, the cap
+// center has $\cos\alpha = r/d$. Seen from the center, the cap
 // fills the solid angle $2\pi \int_0^\alpha \sin\theta\,d\theta = 2\pi\,(1 -
 // \cos\alpha)$ of the sphere's $4\pi$. So its share of the area is
 //
@@ -271,7 +271,7 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // is `light.radiance`. How does one draw $\theta$ and $\phi$? Write the solid
 // angle in angles, as in stage 1:
 //
-// $$d\omega = \sin\theta\,d\theta\,d\phi = d(1 - \cos\theta)\,d\phi$$
+// $$d\omega = \sin\theta\,d\theta\,d\phi = \mathrm d(1-\cos\theta)\,d\phi$$
 //
 // Equal steps of $1 - \cos\theta$ are equal steps of solid angle. So
 // $1 - \cos\theta$ must be uniform, from 0 on the axis to
@@ -313,7 +313,7 @@ inline LightSample sample_light(const RectangleLight& light, const Vec3& x,
 // > *Rounding.* At the edge of the cone there is 0 under the root, and
 // > rounding can make it negative. So take the larger of it and 0.
 //
-// If $x$ is inside the lamp, there is no cone. The lamp shines outwards, so
+// If $x$ is inside the lamp, there is no cone. The lamp shines outward, so
 // the answer is black: any unit direction, the weight 0, the distance 0.
 //
 // > *Rounding.* If the lamp is far away, $\cos\theta_{max}$ is rounded to 1.
@@ -363,9 +363,9 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 // nothing:
 //
 // - The light is *below the horizon*, $\cos\theta \le 0$. Then no shadow ray
-//   is needed. The rendering equation has $|n \cdot \omega_i|$, but there
-//   $\omega_i$ is always above the surface. A light may be below it: with
-//   $|\cos\theta|$ it would shine through thin walls.
+//   is needed. In the rendering equation $\omega_i$ is above the surface. A
+//   light may be below it, and with the equation's $|n \cdot \omega_i|$ it
+//   would shine through thin walls.
 // - The shadow ray meets something else before the light.
 //
 // ![](three-answers)
@@ -379,15 +379,16 @@ inline LightSample sample_light(const SphereLight& light, const Vec3& x,
 //   surface.normal)`.
 // - `spawn_ray(hit, direction)` gives the ray that starts there.
 // - `scene.reaches(ray, distance, light)` is true if the ray meets nothing
-//   before `distance`, or only this light.
+//   before `distance`, or this light first.
 // - `random.uniform_2d()` draws the two numbers for `sample_light`.
 // - `is_black(weight)` is true if all three channels are 0. Such a light
 //   needs no shadow ray, either.
 //
 // A `Light` is one of the three forms of light: `light.form` is a
-// `std::variant` of them. `std::visit` calls the `sample_light` above that
-// fits the form. The pictures show what is wrong without shadow rays, and
-// without the surface's cosine.
+// `std::variant` of them. `std::visit` calls the lambda with the one that is
+// there. `auto` takes its type, so the `sample_light` above that fits it is
+// called. The pictures show what is wrong without shadow rays, and without
+// the surface's cosine.
 //
 // ![](direct-mistakes)
 
@@ -423,10 +424,11 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 
 // ## Counted once
 //
-// The path goes on in a random direction, and it still runs into emitters.
-// Should their emission be added? A *vertex* is a point where the path meets
-// a surface. The light must be counted exactly once: either when the
-// previous vertex asked for it, or when it is hit. Two things decide.
+// The path goes on in a random direction, and it still hits *emitters*:
+// surfaces that shine. Should their emission be added? A *vertex* is a point
+// where the path meets a surface. The light must be counted exactly once:
+// either when the previous vertex asked for it, or when it is hit. Two things
+// decide.
 //
 // *What happened at the previous vertex?* If it asked the lights, it may have
 // this light already. If the camera looks straight at the lamp, there was no
@@ -434,8 +436,8 @@ inline Vec3 direct_light(const Scene& scene, const Surface& surface,
 //
 // *What was hit?* Rectangles and spheres that emit are in the scene's list
 // of lights. These were asked. A plane that emits has no end, so no point on
-// it can be chosen uniformly. Triangles are not asked here, either. Only a
-// hit can find those two.
+// it can be chosen uniformly. Triangles could be asked, but are not here.
+// Only a hit can find those two.
 //
 // Together these are the four cells of a table:
 //
@@ -603,16 +605,16 @@ class PathTracer {
 // ## Stage 2 minus stage 1 is noise
 //
 // Both stages estimate the same integral. So the difference of their
-// pictures must be noise around 0. No shape of the room may be seen in it.
-// The only exceptions are places with more noise, such as the lamp's edge.
+// pictures must be noise around 0. No shape of the room may be seen in it,
+// except as a place with more noise, such as the lamp's edge.
 // Type this, with any scene that both can read:
 //
 //     make diff A=stage2 B=stage1 SCENE=scenes/cornell_box_lamp_diffuse.toml
 //
 // It renders both pictures and compares their means, in the whole picture and
-// in small regions. For each it prints $z$: the difference of the means,
-// divided by its standard deviation. Beside the largest $z$ it prints the
-// limit that chance hardly ever exceeds. It also prints the variance of A
+// in small regions. For each there is a $z$: the difference of the means,
+// divided by its standard deviation. It prints the largest $z$, and the limit
+// that chance exceeds once in 10,000 runs. It also prints the variance of A
 // over that of B: below 1, A has less noise. The same test finds a mistake:
 // count the lamp twice, and the room can be seen in the difference.
 //

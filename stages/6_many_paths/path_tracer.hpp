@@ -9,7 +9,7 @@
 // empty.
 //
 // This stage follows 16 paths together. All of them take one step, then all
-// take the next. The idea of the picture does not change. The estimator is
+// take the next. The method does not change. The estimator is
 // stage 5's, and so are the random numbers. Even the picture is the same, to
 // the last bit. In the lab's box, with its seven shapes, stage 6 makes it
 // four to six times as fast. With a thousand shapes it gains little.
@@ -17,7 +17,7 @@
 // ![](one-and-sixteen)
 //
 // The name for this is *SIMD*: single instruction, multiple data. A graphics
-// card works in the same way, with 32 numbers. This chapter has no exercises.
+// card works in the same way, with 32 or 64. This chapter has no exercises.
 
 #include <array>
 #include <atomic>
@@ -44,16 +44,16 @@ namespace lightwalk::stage6 {
 //
 // The operators work lane by lane. With rows, `a * b + c` is 16 products and
 // 16 sums. So a formula stays as it is; only `a *= b` is written `a = a * b`.
-// Here are three of them, from stages 1 and 3. Only the types differ: `sqrt`
-// replaces `std::sqrt`, and 1 is `1.0f`. `Bases` has a basis for each lane.
+// Here are three, from stages 1 and 3. Beside the types, `sqrt` replaces
+// `std::sqrt`, and 1 is `1.0f`. `Bases` has a basis for each lane.
 //
 // What is behind the operators? A library, Highway, knows the instructions
 // of each processor, and `rows/row.hpp` defines operators for them.
 //
 // Four words are for the compiler alone, and you may skip them. `HWY_INLINE`
 // puts a function into its caller, and `LIGHTWALK_NOINLINE` keeps it out.
-// `LIGHTWALK_FLATTEN` puts all that a function calls into it. `HWY_ATTR`,
-// also before the brace of a lambda, says for which instructions it is
+// `LIGHTWALK_FLATTEN` puts all that a function calls into it. `HWY_ATTR`
+// says for which instructions a lambda with rows in it is
 // compiled. `LIGHTWALK_ROWS` is defined where Highway is installed and the
 // processor has the instructions that rows need. Elsewhere the end of this
 // file makes stage 6 the same as stage 5.
@@ -102,26 +102,26 @@ HWY_INLINE Vec3s reflect(const Vec3s& wo, const Vec3s& normal) {
 //     if (c) change(x);        if (any(c)) change(x, c);
 //     *hit.material            materials.at(number)
 //
-// Masks are joined lane by lane, by `&`, `|` and `!`. The usual `&&` will
+// `&`, `|` and `!` work on masks lane by lane. The usual `&&` will
 // not do: it takes a `bool`, and a mask has 16. `any(mask)` is true if one
 // lane at least is set, and `count(mask)` says how many are.
 //
 // A path that would return stays in its lane, but it is no longer `on`. Its
-// `sum` is not changed any more, because each sum is selected by a mask of
+// `sum` is not changed anymore, because each sum is selected by a mask of
 // lanes that are on. Its ray and its throughput may become nonsense, even a
 // NaN. Nothing that comes of them is used, and the next path replaces them.
 // A lane that is on may also take the root of a negative number, in the
 // branch that is not its own. There `select` leaves the NaN out.
 //
-// The line with `any` saves time. Where no lane at all takes a branch, it is
-// left out. Otherwise only its own lanes may change: the mask is passed to
-// the function, or used in a `select`. With 16 lanes a branch is seldom left
-// out: if one path in ten is in glass, then 81 rows of 100 have such a path.
+// The line with `any` saves time: a branch that no lane takes is left out.
+// Otherwise only its own lanes may change: the mask is passed to the
+// function, or used in a `select`. With 16 lanes a branch is seldom left out:
+// if one path in ten is in glass, $1 - 0.9^{16}$ of the rows, 81 %, need it.
 //
 // Refraction returned nothing where all light is reflected. A row cannot
 // return nothing. So `refract` always gives directions, and a mask of the
 // lanes in which they mean nothing. Fresnel's early return is a `select`.
-// `relative_eta` takes a hit: in `material_at` there is no surface yet.
+// `relative_eta` takes a hit: `material_at` makes no surface here.
 
 // #region refract
 /// eta_o / eta_i for light that leaves toward `wo`.
@@ -167,7 +167,7 @@ HWY_INLINE Floats fresnel_reflectance(const Floats& cos_o,
 // Each lane looks up the number of its shape's material, and then what is in
 // that entry. A short table fits into a register, and picking from a register
 // is one instruction for all of its lanes. A longer table stays in memory,
-// and the numbers are fetched one by one (`rows/column.hpp`).
+// and its entries are fetched one by one (`rows/column.hpp`).
 //
 // ![](lookup)
 //
@@ -176,8 +176,8 @@ HWY_INLINE Floats fresnel_reflectance(const Floats& cos_o,
 // pattern. A pattern is worked out lane by lane, by stage 5's own function.
 // `for_each_lane` calls a function for each lane of a mask, one after the
 // other; `a[lane]` reads one lane, and `a.set(lane, x)` writes one.
-// `normal_towards(hit, wo)` is the normal on the side of `wo`, as before.
-// Emission is looked up apart, because few lanes need it.
+// `normal_towards(hit, wo)` is a Surface's normal, `shapes.hit(hits, lane)` a
+// Hit. Emission is looked up apart, because few lanes need it.
 
 // #region material-at
 /// The scene in the form that rows need.
@@ -265,8 +265,8 @@ HWY_INLINE LobeChoices choose_lobes(const Materials& material,
   const Floats r = scale * refraction;
 
   LobeChoices choice;
-  // Do not reorder these terms. At `on & (xi < d + s + r) & !(...)` Clang 19
-  // never finishes, for AVX-512: two of its rewrites undo each other.
+  // Keep this order: `on & (xi < d + s + r) & !(...)` makes Clang 19 hang for
+  // AVX-512, where two of its rewrites undo each other.
   choice.diffuse = on & (xi < d);
   choice.specular = on & !(xi < d) & (xi < d + s);
   choice.refraction = on & !(xi < d + s) & (xi < d + s + r);
@@ -279,7 +279,7 @@ HWY_INLINE LobeChoices choose_lobes(const Materials& material,
 // Then a direction of each lobe is worked out, and the masks choose. Only the
 // diffuse lobe takes two random numbers. A lane with another event must draw
 // none, or its later numbers would not be stage 5's.
-// `random.uniform_2d(mask)` moves on only where the mask is set. The diffuse
+// `random.uniform_2d(mask)` draws only where the mask is set. The diffuse
 // lobe is nearly always needed, so there is no `any` for it.
 
 // #region sample
@@ -318,13 +318,13 @@ HWY_INLINE BsdfSamples sample(const LobeChoices& lobe,
 // ## Lights
 //
 // All paths ask the same light, then all ask the next. The kind of light does
-// not depend on the path. So a plain `if` can choose the formula: you find it
-// in `direct_light` below. `asking` is the mask of the lanes that ask. The
-// formulas are those of stage 2. Only the early return inside a sphere light
-// becomes a `select`. (Inside, the distance means nothing: no ray is sent to
-// a black light.) A vector that meets a row of numbers is first made a row:
-// `Vec3s(v)`. A point light has nothing to choose, but stage 2 draws two
-// numbers for it, and so they are drawn here.
+// not depend on the path. So `std::visit` chooses the formula, as in stage 2:
+// you find it in `direct_light` below. `asking` is the mask of the lanes that
+// ask. The formulas are those of stage 2. Only the early return inside a
+// sphere light becomes a `select`. (Inside, the distance means nothing: no
+// ray is sent to a black light.) A vector that meets a row of numbers is made
+// a row first: `Vec3s(v)`. A point light has nothing to choose, but stage 2
+// draws two numbers for it, and so they are drawn here.
 
 // #region lights
 /// What arrives from a light at each path, as in stage 2.
@@ -394,13 +394,13 @@ HWY_INLINE LightSamples sample_light(const SphereLight& light, const Vec3s& x,
 // #endregion lights
 
 // Direct light is stage 2's, with masks. A lane that faces away from the
-// light is not in `faces`. Stage 2 skips a light where `cos_theta <= 0`. The
-// mask says `!(cos_theta <= 0)`, not `cos_theta > 0`: both stages must do
-// the same even with a NaN, and every comparison with a NaN is false. A lane
-// in shadow is not in `lit`.
+// light, or gets nothing, is not in `faces`. Stage 2 skips a light where
+// `cos_theta <= 0`. The mask says `!(cos_theta <= 0)`, not `cos_theta > 0`:
+// both stages must do the same even with a NaN, with which `<`, `<=` and `>`
+// are false. A lane in shadow is not in `lit`.
 //
 // `number` is the light's place in the scene's list. A shadow ray may meet
-// the shape of its own light, and nothing else before it.
+// the shape of its own light, and nothing else before it. `f` is $f_r$.
 
 // #region direct-light
 /// Radiance toward the viewer that all sampled lights cause.
@@ -423,9 +423,7 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
     sum = select(lit, sum + f * cos_theta * to_light.weight, sum);
   };
   for (const Light& light : rows.scene.lights) {
-    if (const auto* p = std::get_if<PointLight>(&light.form)) ask(*p);
-    if (const auto* r = std::get_if<RectangleLight>(&light.form)) ask(*r);
-    if (const auto* s = std::get_if<SphereLight>(&light.form)) ask(*s);
+    std::visit(ask, light.form);
     ++number;
   }
   return sum;
@@ -457,8 +455,8 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
 //
 // Rays of all lanes are tested with one shape, then with the next, and each
 // lane keeps the nearest (`rows/shape_table.hpp`). Lanes that are off are
-// computed, too, and not used; only in scenes with many shapes (see the end)
-// are they left out. A lane that met nothing is given the first shape's entry
+// tested, too, for nothing; only in scenes with many shapes (see the end) are
+// they left out. A lane that met nothing is given the first shape's entry
 // of the table, since any will do: its results are not used. `on` is narrowed
 // before `material_at`, so that a pattern is worked out only for lanes on a
 // shape.
@@ -469,7 +467,7 @@ HWY_INLINE Vec3s direct_light(const SceneRows& rows, const Surfaces& surface,
 // mean nothing, and may be 0/0; but this lane has just lost its path.
 
 // #region paths
-inline constexpr int paths_at_once = row_lanes;  ///< 16; 4 in short registers
+inline constexpr int paths_at_once = row_lanes;  ///< 16, or 4 on ARM
 
 struct Paths {
   Rays ray;
@@ -518,8 +516,8 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
   if (any(emits)) {
     const Mask is_light = scene_.shapes.is_light(hit);
     const Mask counted = path.direct_light_added & is_light;
-    const Vec3s found = path.throughput * emitted(scene_, surface);
-    path.sum = select(emits & !counted, path.sum + found, path.sum);
+    const Vec3s added = path.throughput * emitted(scene_, surface);
+    path.sum = select(emits & !counted, path.sum + added, path.sum);
   }
   on = on & !emits;
   on = on & (path.bounce != max_bounces_);
@@ -527,9 +525,9 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
   // Ask the lights, for the diffuse lobe.
   const Mask asking = on & !is_black(material.kd);
   if (any(asking)) {
-    const Vec3s found =
+    const Vec3s added =
         path.throughput * direct_light(scene_, surface, asking, path.random);
-    path.sum = select(asking, path.sum + found, path.sum);
+    path.sum = select(asking, path.sum + added, path.sum);
   }
 
   // Draw an event.
@@ -561,12 +559,12 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 // ## Why the last bit is the same
 //
 // Floats are rounded after each operation. So the sum of three numbers
-// depends on which two are added first, and most programs that are made
-// faster change the last bits there. Three rules keep them here:
+// depends on which two are added first, and a faster program often changes
+// the last bits there. Three rules keep them here:
 //
 // - In each lane the operations are those of stage 5, in its order. A
 //   compiler might turn `a * b + c` into one instruction that rounds only
-//   once. A compiler option forbids it.
+//   once. The option `-ffp-contract=off` forbids it.
 // - The random numbers depend on the sample, not on the lane, nor on what
 //   other paths have drawn (`common/math/random.hpp`).
 // - Samples end in another order than they begin. So each writes its radiance
@@ -584,7 +582,7 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 // samples of the tile, and a `Film` adds up the pixels. If the user ends the
 // program, `stop` is set, and the tile is dropped. `samples_taken` only
 // counts, for the display. `mask_of` makes a mask of bits, bit 0 for lane 0,
-// and `no_lanes` is the mask without a lane.
+// and `no_lanes` has none. `sample_in` says which sample a lane has.
 
 // #region render-tile
 /// Makes a new path in each `fresh` lane, where SampleQueue::take has left a
@@ -596,7 +594,7 @@ inline void PathTracer::begin(Paths& path, const Mask& fresh) const {
   path.throughput = select(fresh, white, path.throughput);
   path.sum = select(fresh, black, path.sum);
   path.bounce = select(fresh, 0, path.bounce);
-  // direct_light_added is false: step sets it only in lanes that go on.
+  // direct_light_added is false: step clears it in lanes that end.
 }
 
 inline void PathTracer::render_tile(const Tile& tile, Film& film,
@@ -633,7 +631,7 @@ inline void PathTracer::render_tile(const Tile& tile, Film& film,
 // #endregion render-tile
 
 // The other stages answer for a single ray. So does this one, with one lane
-// that is on. It is slow, and is there for the other stages' tests.
+// that is on. It is slow, and is there for tests that all stages share.
 
 // #region one-path
 inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
@@ -652,7 +650,7 @@ inline Vec3 PathTracer::radiance(const Ray& ray, Random& random) const {
 //
 // AVX2 and AVX-512 are names of instruction sets. Their registers hold 8 and
 // 16 floats, so a row is two registers of AVX2. The table has stage 5's
-// processor time over stage 6's. Stage 5 uses AVX2 in both columns.
+// processor time, with AVX2 for its eight shapes, over stage 6's.
 //
 // | the lab's box, all materials | AVX2 | AVX-512 |
 // |---|---|---|

@@ -221,6 +221,9 @@ def sealed_run(workshop, dead, program, *options, **others):
     tests, which are those of the reference."""
     if dead:
         return dead[0]
+    expected = sorted(workshop.tests_of(options))
+    if not expected:
+        return suite.Outcome(str(program))
     secret = secrets.token_hex(16).encode()
     reading, writing = os.pipe()
     os.write(writing, secret)
@@ -252,7 +255,7 @@ def sealed_run(workshop, dead, program, *options, **others):
         dead.append(outcome)
     if outcome.passed or not (outcome.tests or outcome.why):
         ran = sorted(test.name for test in outcome.tests)
-        if not sealed(lines.data, secret) == ran == sorted(workshop.tests_of(options)):
+        if not sealed(lines.data, secret) == ran == expected:
             outcome.end = "crash"
             outcome.why = (
                 "The program says that its tests have passed, but the tests have not said so. "
