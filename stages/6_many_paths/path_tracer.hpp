@@ -564,7 +564,7 @@ LIGHTWALK_FLATTEN inline Mask PathTracer::step(Paths& path, Mask on) const {
 //
 // - In each lane the operations are those of stage 5, in its order. A
 //   compiler might turn `a * b + c` into one instruction that rounds only
-//   once. The option `-ffp-contract=off` forbids it.
+//   once. An option in `cmake/CompilerOptions.cmake` forbids it.
 // - The random numbers depend on the sample, not on the lane, nor on what
 //   other paths have drawn (`common/math/random.hpp`).
 // - Samples end in another order than they begin. So each writes its radiance
