@@ -123,7 +123,7 @@ inline Vec3 power_of(const Light& light) {
 // `sample_cosine_hemisphere` about the lamp's normal. Uniform directions
 // would need a weight of $2\cos\theta$, and the photons would be unequal.
 //
-// ![](start)
+// ![](photon-start)
 //
 // Write `sample_sphere`. It needs no basis.
 
@@ -245,7 +245,7 @@ inline Vec3 photon_power(const Lamp& lamp, int photons) {
 // photons are squeezed, there are *more of them* per solid angle. They do by
 // their number what the square does for radiance (Veach 1997, section 5.2).
 //
-// ![](beam)
+// ![](squeezed-light)
 //
 // `sample` is made for radiance, and has the square. So `power_weight`
 // divides by it. It gets the surface and stage 3's sample. If `next.wi` is
@@ -378,7 +378,7 @@ inline PhotonMap trace_photons(const Scene& scene,
 //
 // There is no cosine: slanted photons are spread over more surface already.
 //
-// ![](disk)
+// ![](photon-disk)
 //
 // Which $r$? A small disk has few photons, and their number is noisy. A large
 // disk blurs the picture. This is a *bias*: more paths do not remove it. So
@@ -592,7 +592,6 @@ class PathTracer {
       // #endregion
     }
   }
-  // #endregion path
 
   // #region render
   /// Takes each pixel's samples, one pass over the picture with each map.
@@ -669,6 +668,7 @@ class PathTracer {
   float squared_scale_;
   bool paths_go_on_ = false;  ///< for emitters that are not lights
 };
+// #endregion path
 
 // `ask_photons` goes out to the `--neighbors`, 50 if not given, but not
 // beyond `--radius`. Here it is in the shadow of the blue ball:
@@ -693,7 +693,7 @@ class PathTracer {
 // *Vertex connection and merging* uses each where it is good (Georgiev et
 // al., ACM TOG 31(6), 2012).
 //
-// Try `build/stage7 scenes/cornell_box_point.toml -o box.png`, then with
-// `--neighbors 10`, and with `--photons 2000 --radius 0.01`.
+// Paint the box with `--neighbors 10`, and with `--radius 0.01`: what do you
+// expect?
 
 }  // namespace lightwalk::stage7
