@@ -23,13 +23,14 @@ def two_walks():
         yield d.circle(x, floor, 4, d.WARM)
     for y in (150, 100, 210):
         yield d.circle(490, y, 4, d.WARM)
-    yield f'<ellipse cx="304" cy="{floor}" rx="44" ry="11" fill="none" stroke="{d.COOL}" stroke-width="2"/>'
-    yield d.line(50, 90, 258, floor - 6, d.COOL, 2, True)
+    yield f'<ellipse cx="270" cy="{floor}" rx="50" ry="11" fill="none" stroke="{d.COOL}" stroke-width="2"/>'
+    yield d.line(50, 90, 268, floor - 3, d.COOL, 2, True)
     yield d.text(46, 76, "camera", d.COOL, "start")
-    yield d.text(118, 196, "path", d.COOL, "end")
-    yield d.line(262, floor - 4, 284, 54, d.GREEN, 1.6, True, "5 4")
-    yield d.text(258, 110, "shadow ray", d.GREEN, "end")
-    yield d.text(304, floor + 38, "photons in a disk", d.COOL)
+    yield d.text(120, 196, "path", d.COOL, "end")
+    yield d.line(270, floor - 4, 275, 216, d.GREEN, 1.6, True, "5 4")
+    yield d.text(262, 172, "shadow ray,", d.GREEN, "end")
+    yield d.text(262, 192, "blocked", d.GREEN, "end")
+    yield d.text(270, floor + 38, "photons in a disk", d.COOL)
 
 
 @d.diagram("photon-start", 520, 220)
