@@ -6,6 +6,7 @@
 #include "support/bounce_bounds.hpp"
 #include "support/comparisons.hpp"
 #include "support/first_things.hpp"
+#include "support/goldens.hpp"
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
@@ -355,6 +356,16 @@ TEST_CASE("a render that is stopped leaves no part of a pass behind") {
   const std::atomic<bool> stop{true};
   PathTracer::render(scene, with_photons(2000, 10, 8), film, stop, progress);
   for (const Pixel& pixel : film.pixels()) CHECK(pixel.samples == 0);
+}
+
+TEST_SUITE_END();
+
+// Last of all: a failure of any other test says more. The golden images have the
+// bias of the pictures that they are compared with.
+TEST_SUITE_BEGIN("golden images");
+
+TEST_CASE("golden images: the pictures of the stage") {
+  check_goldens<PathTracer>(7);
 }
 
 TEST_SUITE_END();
