@@ -107,6 +107,10 @@ set(leak_options
     "LSAN_OPTIONS=suppressions=${CMAKE_CURRENT_SOURCE_DIR}/leaks.supp:print_suppressions=0"
 )
 
+# The tests in every_stage/ expect a right mean of each sample. These stages are
+# right in the limit only, and their own tests know how far off they may be.
+set(biased_stages 7)
+
 # add_suite(NAME): NAME_tests, from the folder NAME, and for a stage also from
 # every_stage/, up to this stage. They are compiled as one file, or as a few if
 # there are many, after a precompiled header of all includes that no stage
@@ -123,8 +127,11 @@ function(add_suite name)
     file(GLOB stage_header RELATIVE ${CMAKE_SOURCE_DIR}
          ${CMAKE_SOURCE_DIR}/stages/${stage_number}_*/path_tracer.hpp)
     configure_file(every_stage/stage.hpp.in ${folder}/stage.hpp @ONLY)
-    file(GLOB shared CONFIGURE_DEPENDS every_stage/from_stage[1-${stage_number}].cpp)
-    list(PREPEND sources ${shared})
+    if(NOT stage_number IN_LIST biased_stages)
+      file(GLOB shared CONFIGURE_DEPENDS
+           every_stage/from_stage[1-${stage_number}].cpp)
+      list(PREPEND sources ${shared})
+    endif()
   endif()
   set(given "#pragma once\n#include <doctest/doctest.h>\n")
   set(stage_includes "#include \"given.hpp\"\n")

@@ -121,6 +121,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name,
 
 constexpr std::array<std::string_view, 2> sampling_names = {"cosine",
                                                             "uniform"};
+constexpr std::array<std::string_view, 2> filter_names = {"cone", "box"};
 constexpr std::array<std::string_view, 4> step_names = {"clamp", "equalize",
                                                         "gamma", "reinhard"};
 
@@ -172,6 +173,30 @@ void add_render_options(CLI::App& app, const Program& program,
       ->type_name("HOW")
       ->default_str(std::string(
           sampling_names[static_cast<std::size_t>(defaults.sampling)]));
+}
+
+/// The options of a program that has photons.
+void add_photon_options(CLI::App& app, Options& options) {
+  const RenderSettings defaults;
+  add_whole(app, "--photons", options.photons, 1, 100'000'000,
+            "Photons that leave the lights, for each sample of a pixel")
+      ->default_str(std::to_string(defaults.photons));
+  add_whole(app, "--neighbors", options.neighbors, 2, 1'000'000,
+            "The first radius is the distance to so many photons")
+      ->default_str(std::to_string(defaults.neighbors));
+  add_number(app, "--radius", options.radius, 1e-6, 1e30,
+             "The first radius is at most this long; without it, as long as "
+             "it takes")
+      ->type_name("X");
+  add_parsed(
+      app, "--filter", options.filter,
+      [](const std::string& text) {
+        return named<Filter>(text, filter_names);
+      },
+      " is none of " + listed(filter_names),
+      "How photons count by their distance: " + listed(filter_names))
+      ->type_name("HOW")
+      ->default_str("cone");
 }
 
 /// The options for .png. parse_options() combines them.
@@ -241,6 +266,7 @@ std::optional<int> parse_options(int argc, char** argv,
       ->type_name("FILE")
       ->check(named_with("reports", std::array{".json"}));
   add_render_options(app, program, options);
+  if (program.has_photons) add_photon_options(app, options);
   CLI::Option* const pixel =
       add_parsed(app, "--pixel", options.pixel, pixel_of,
                  " is not a pixel like 120,80, from 0,0 on",

@@ -25,10 +25,13 @@ struct Options {
   std::vector<std::string> outputs;
   std::optional<std::string> report;
   std::optional<PixelSample> pixel;  ///< whose path to tell
-  std::optional<int> samples_per_pixel, max_bounces, threads;
+  std::optional<int> samples_per_pixel, max_bounces, threads, photons,
+      neighbors;
   std::optional<std::uint32_t> first_sample;
   std::optional<std::uint64_t> seed;
   std::optional<Sampling> sampling;
+  std::optional<float> radius;
+  std::optional<Filter> filter;
   std::optional<ImageSize> size;
   ToneMapping tone_mapping;
   bool quiet = false;
@@ -42,6 +45,7 @@ struct Program {
   Syllabus syllabus = {};        ///< which scenes it can paint
   int default_bounces = bounce_cap;
   int bounce_limit = bounce_cap;
+  bool has_photons = false;  ///< and the options that say how many
 };
 
 /// Reads the command line into `options`. Returns the exit code where there

@@ -136,6 +136,7 @@ std::string why_nothing(const PathVertex& lamp) {
 }
 
 std::string end_of_path(const PathVertex& vertex, int max_bounces) {
+  if (vertex.photons) return "here: the photons have brought the rest";
   const Material& m = vertex.material;
   if (m.emits()) return "at a lamp";
   if (vertex.bounce >= max_bounces) {
@@ -192,6 +193,12 @@ class Story {
                    print("at %.4g: ", static_cast<double>(shadow.distance)) +
                        (shadow.reached ? "reached" : "blocked"));
     }
+    if (vertex.photons) {
+      const auto& [count, radius, radiance] = *vertex.photons;
+      text +=
+          line("photons", color(radiance),
+               print("%zu within %.4g", count, static_cast<double>(radius)));
+    }
     text += addition(i);
     for (const Branch& branch : branches_[i]) text += step(vertex, branch);
     if (branches_[i].empty()) {
@@ -210,10 +217,14 @@ class Story {
     const bool emits = vertices_[i].material.emits();
     if (is_black(added)) {
       if (emits) return line("adds", "nothing: " + why_nothing(vertices_[i]));
-      if (vertices_[i].shadow_rays.empty()) return "";
+      if (vertices_[i].shadow_rays.empty() && !vertices_[i].photons)
+        return "";
     }
-    return line("adds", color(added), emits ? "emission" : "direct light") +
-           line("sum", color(after));
+    const char* const source = emits ? "emission"
+                               : vertices_[i].photons
+                                   ? "direct light, photons"
+                                   : "direct light";
+    return line("adds", color(added), source) + line("sum", color(after));
   }
 
   std::string step(const PathVertex& from, const Branch& branch) const {

@@ -54,6 +54,10 @@ RenderSettings settings_for(const Program& program, const Options& options,
   settings.seed = options.seed.value_or(settings.seed);
   settings.sampling = options.sampling.value_or(settings.sampling);
   settings.threads = options.threads.value_or(settings.threads);
+  settings.photons = options.photons.value_or(settings.photons);
+  settings.neighbors = options.neighbors.value_or(settings.neighbors);
+  settings.filter = options.filter.value_or(settings.filter);
+  settings.radius = options.radius.value_or(settings.radius);
   if (settings.max_bounces > program.bounce_limit) {
     throw std::runtime_error(
         options.scene + " asks for " + std::to_string(settings.max_bounces) +

@@ -26,6 +26,16 @@ concept RendersTiles = requires(const PathTracer& tracer, const Tile& tile,
   tracer.render_tile(tile, film, stop);
 };
 
+/// A path tracer that renders whole pictures: what it does for one pixel
+/// helps the others.
+template <class PathTracer>
+concept RendersPictures = requires(const Scene& scene,
+                                   const RenderSettings& settings, Film& film,
+                                   const std::atomic<bool>& stop,
+                                   RenderProgress& progress) {
+  PathTracer::render(scene, settings, film, stop, progress);
+};
+
 /// A function that renders tiles with its own path tracer. The scene must
 /// outlive it.
 template <class PathTracer>
@@ -53,8 +63,12 @@ RenderResult paint(Scene& scene, const RenderSettings& settings,
                    const std::atomic<bool>& stop, RenderProgress& progress) {
   scene.prepare();
   Film film(scene.camera.width, scene.camera.height);
-  render(tile_renderer<PathTracer>(scene, settings), settings, film, stop,
-         progress);
+  if constexpr (RendersPictures<PathTracer>) {
+    PathTracer::render(scene, settings, film, stop, progress);
+  } else {
+    render(tile_renderer<PathTracer>(scene, settings), settings, film, stop,
+           progress);
+  }
   return develop(film, {.first_sample = settings.first_sample,
                         .seed = settings.seed,
                         .max_bounces = settings.max_bounces,

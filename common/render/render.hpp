@@ -80,30 +80,19 @@ LIGHTWALK_FLATTEN void render_tile(const PathTracer& tracer,
 inline constexpr int tile_size = 16;
 inline constexpr std::uint32_t max_samples_in_a_pass = 64;
 
-/// Renders every tile of one pass. Throws the first exception of a thread.
-inline void render_pass(const TileRenderer& render_tile, Film& film,
-                        std::uint32_t first, std::uint32_t last, int threads,
-                        const std::atomic<bool>& stop,
-                        RenderProgress& progress) {
-  const int columns = (film.width() + tile_size - 1) / tile_size;
-  const int rows = (film.height() + tile_size - 1) / tile_size;
-  const std::int64_t tiles = std::int64_t{columns} * rows;
+/// Calls `work(0)` to `work(count - 1)`, each once, from several threads.
+/// Ends early where `stop` is set. Throws the first exception of a thread.
+template <class Work>
+void share_out(std::int64_t count, int threads, const std::atomic<bool>& stop,
+               RenderProgress& progress, const Work& work) {
   std::atomic<std::int64_t> next{0};
   FirstException errors;
-  const auto work = [&] {
+  const auto take_part = [&] {
     RenderThread thread(stop, errors, progress);
     try {
-      for (std::int64_t i = next++; i < tiles && !thread.is_over();
+      for (std::int64_t i = next++; i < count && !thread.is_over();
            i = next++) {
-        Tile tile{static_cast<int>(i % columns) * tile_size,
-                  0,
-                  static_cast<int>(i / columns) * tile_size,
-                  0,
-                  first,
-                  last};
-        tile.right = std::min(tile.left + tile_size, film.width());
-        tile.bottom = std::min(tile.top + tile_size, film.height());
-        render_tile(tile, film, stop);
+        work(i);
         thread.publish();
       }
     } catch (const Stopped&) {
@@ -113,16 +102,37 @@ inline void render_pass(const TileRenderer& render_tile, Film& film,
     }
   };
   std::vector<std::thread> helpers;
-  const std::int64_t useful = std::min<std::int64_t>(threads, tiles);
+  const std::int64_t useful = std::min<std::int64_t>(threads, count);
   try {
     helpers.reserve(static_cast<std::size_t>(useful));
-    for (std::int64_t i = 1; i < useful; ++i) helpers.emplace_back(work);
+    for (std::int64_t i = 1; i < useful; ++i) helpers.emplace_back(take_part);
   } catch (const std::exception&) {
     // The system gives no more threads: the ones that run do the work.
   }
-  work();
+  take_part();
   for (std::thread& helper : helpers) helper.join();
   errors.rethrow();
+}
+
+/// Renders every tile of one pass. Throws the first exception of a thread.
+inline void render_pass(const TileRenderer& render_tile, Film& film,
+                        std::uint32_t first, std::uint32_t last, int threads,
+                        const std::atomic<bool>& stop,
+                        RenderProgress& progress) {
+  const int columns = (film.width() + tile_size - 1) / tile_size;
+  const int rows = (film.height() + tile_size - 1) / tile_size;
+  share_out(std::int64_t{columns} * rows, threads, stop, progress,
+            [&](std::int64_t i) {
+              Tile tile{static_cast<int>(i % columns) * tile_size,
+                        0,
+                        static_cast<int>(i / columns) * tile_size,
+                        0,
+                        first,
+                        last};
+              tile.right = std::min(tile.left + tile_size, film.width());
+              tile.bottom = std::min(tile.top + tile_size, film.height());
+              render_tile(tile, film, stop);
+            });
 }
 
 /// How many threads `threads` stands for: 0 is as many as the machine has.

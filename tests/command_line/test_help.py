@@ -10,6 +10,8 @@ from programs import ROOT, InFolder, built_stages, run
 SHARED = "common/program/command_line.hpp"
 # Without a size and [render], so that these have the program's defaults.
 SCENE = with_instead("size = [4, 4]\n", "")
+# A stage that has photons has these, too.
+PHOTONS = {"--photons", "--neighbors", "--filter", "--radius"}
 SCENE = with_instead(SCENE[SCENE.index("[render]") : SCENE.index("[materials]")], "", SCENE)
 
 
@@ -55,6 +57,9 @@ class Help(InFolder):
             with self.subTest(program):
                 rows = self.rows(program)
                 taken = options_in(source, SHARED)
+                main = next(ROOT.glob(f"stages/{program.removeprefix('stage')}_*/main.cpp"), None)
+                if not main or "has_photons" not in main.read_text():
+                    taken -= PHOTONS
                 self.assertLessEqual({"--output", "--help", "--version"}, taken)
                 self.assertEqual(set(rows), taken)
                 for option, (_, meaning) in rows.items():

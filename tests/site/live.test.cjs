@@ -19,6 +19,7 @@ const figures = {
   "area-to-angle": "2_next_event",
   "lamp-cone": "2_next_event",
   "idle-lanes": "6_many_paths",
+  "photon-disk": "7_photon_mapping",
 };
 
 async function figure(name) {
@@ -243,4 +244,17 @@ test("without scripts, and on paper, the still pictures are there", async () => 
     assert.deepEqual(await seen(), [false, true], `${name} on paper`);
     await close(page);
   }
+});
+
+test("the disk of photons: the radius grows with k, and the noise falls", async () => {
+  const { page, slider, says } = await figure("photon-disk");
+  const radius = async () => Number((await says()).match(/r = ([\d.]+) m/)[1]);
+  const before = await radius();
+  assert.match(await says(), /The other 19 say .* the light is 1\.5 .*24 %/);
+  await slider("k").fill("80");
+  assert.ok((await radius()) > 1.6 * before);
+  assert.match(await says(), /The other 79 say .*11 %/);
+  await slider("x in meters").fill("1.5");
+  assert.match(await says(), /the light is 0\.5 /);
+  await close(page);
 });
