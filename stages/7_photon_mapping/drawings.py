@@ -28,8 +28,8 @@ def two_walks():
     yield d.text(46, 76, "camera", d.COOL, "start")
     yield d.text(120, 196, "path", d.COOL, "end")
     yield d.line(270, floor - 4, 275, 216, d.GREEN, 1.6, True, "5 4")
-    yield d.text(262, 172, "shadow ray,", d.GREEN, "end")
-    yield d.text(262, 192, "blocked", d.GREEN, "end")
+    yield d.text(246, 146, "shadow ray,", d.GREEN, "end")
+    yield d.text(246, 166, "blocked", d.GREEN, "end")
     yield d.text(270, floor + 38, "photons in a disk", d.COOL)
 
 
@@ -110,7 +110,9 @@ def bias_and_noise():
     yield from d.axes(x, y, width, height)
 
     def place(samples, error):
-        return x + width * math.log(samples) / math.log(256), y - height * math.log(error / 0.02) / math.log(50)
+        return x + width * math.log(samples) / math.log(256), y - height * math.log(error / 0.02) / math.log(
+            50
+        )
 
     for samples in SAMPLES:
         yield d.text(place(samples, 1)[0], y + 22, str(samples), d.SOFT)

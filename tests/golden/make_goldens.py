@@ -36,7 +36,9 @@ def mean_of(pictures):
         return array.array("f", (math.fsum(column) / len(column) for column in columns)).tobytes()
 
     samples = int(re.search(rb"samples_per_pixel (\d+)", middle)[1])
-    middle = middle.replace(b"samples_per_pixel %d" % samples, b"samples_per_pixel %d" % (samples * len(pictures)))
+    middle = middle.replace(
+        b"samples_per_pixel %d" % samples, b"samples_per_pixel %d" % (samples * len(pictures))
+    )
     return (
         head
         + mean(one[start : start + size] for one in pictures)

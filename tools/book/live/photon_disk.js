@@ -13,8 +13,8 @@ live("photon-disk", {
   draw({ x, y, k, n, cone }) {
     const meter = 250, left = 10, top = 10;
     // Three of four photons fall on the left square meter, of 2 W in all.
-    let state = 12345;
-    const uniform = () => (state = (1103515245 * state + 12345) % 2147483648) / 2147483648;
+    let state = 1;
+    const uniform = () => (state = (Math.imul(1664525, state) + 1013904223) >>> 0) / 2 ** 32;
     const photons = Array.from({ length: n }, () => {
       const side = uniform() < 0.75 ? 0 : 1, u = uniform();
       return [side + u, uniform()];
