@@ -11,7 +11,6 @@
 
 using namespace lightwalk;
 using namespace lightwalk::tests;
-using stage7::KdTree;
 
 namespace {
 

@@ -37,7 +37,7 @@
 
 #include "common/math/vector.hpp"
 
-namespace lightwalk::stage7 {
+namespace lightwalk {
 
 /// Points to search. `Point` has a member `Vec3 position`.
 template <class Point>
@@ -168,4 +168,4 @@ class KdTree {
   std::vector<std::uint8_t> axes_;  ///< of the cut at the middle of a part
 };
 
-}  // namespace lightwalk::stage7
+}  // namespace lightwalk
