@@ -49,6 +49,10 @@ Golden load_golden(int stage, const std::string& name) {
     golden.settings.samples_per_pixel = *entry["samples"].value<int>();
     golden.settings.max_bounces =
         entry["max_bounces"].value_or(golden.settings.max_bounces);
+    golden.settings.photons =
+        entry["photons"].value_or(golden.settings.photons);
+    golden.settings.neighbors =
+        entry["neighbors"].value_or(golden.settings.neighbors);
   });
   golden.settings.seed = 11;
   if (const char* seed = std::getenv("LIGHTWALK_GOLDEN_SEED")) {

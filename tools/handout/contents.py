@@ -123,11 +123,14 @@ def contents(stage, tracked, solutions):
         raise Failure(f"stage {stage} is not in this tree; there are {', '.join(map(str, headers))}")
     if not exercises(headers[stage]):
         raise Failure(f"stage {stage} has no exercise: {headers[stage].relative_to(ROOT)} has no mark")
+    # A chapter for reading repeats solutions of the others.
+    for_reading = {number for number, header in headers.items() if not exercises(header)}
     chosen = set(scenes_until(stage, tracked))
     for path in tracked:
         number = re.match(r"(?:stages/|tests/(?:every_stage/from_|golden/)?stage)(\d)", path)
         if number:
-            if int(number[1]) <= stage and not path.endswith(FOR_THE_BOOK):
+            given = int(number[1]) <= stage and int(number[1]) not in for_reading
+            if given and not path.endswith(FOR_THE_BOOK):
                 chosen.add(path)
         elif any(path == name or (name.endswith("/") and path.startswith(name)) for name in COMMON):
             chosen.add(path)
@@ -137,7 +140,7 @@ def contents(stage, tracked, solutions):
     files = {path: (ROOT / path).read_bytes() for path in sorted(chosen)}
     files["tests/golden/goldens.toml"] = goldens_until(stage).encode()
     for number, header in headers.items():
-        if number > stage:
+        if number > stage or number in for_reading:
             continue
         folder = header.parent.relative_to(ROOT).as_posix()
         if number == stage or solutions == "none":
