@@ -279,6 +279,8 @@ inline Vec3 power_weight(const Surface& surface, const BsdfSample& next) {
 // meets. This is right: its light arrives at each of them. In the lab's box
 // 100,000 photons are stored 407,000 times.
 //
+// ![](photons)
+//
 // Write the walk. `bounce` counts from 0. Store by `stored.push_back`; the
 // order of a `Photon` is position, power, normal, bounces, and the normal is
 // `surface.normal`. Then draw the event, as in stage 4, and return if there
@@ -365,8 +367,6 @@ inline PhotonMap trace_photons(const Scene& scene,
 }
 // #endregion trace
 
-// ![](photons)
-//
 // ## From photons to radiance
 //
 // Draw a disk of radius $r$ on the surface, around the point $x$. Add the
@@ -393,6 +393,8 @@ inline PhotonMap trace_photons(const Scene& scene,
 // $\lambda/(k - 1)$. So $k - 1$ photons over $A$ have the mean $\lambda$.
 // `walk` visits photons *nearer* than the limit, so the rim is left out. The
 // relative variance is $1/(k - 2)$: with 50 photons the noise is 14 %.
+//
+// ![](density-estimate)
 //
 // Which photons count? Two conditions:
 //

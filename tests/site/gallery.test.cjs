@@ -20,7 +20,7 @@ async function opened(address, hash = "") {
 const shown = (page) => page.locator("table.mistakes tbody tr:visible").count();
 const said = (page) => page.locator(".search-mistakes [role=status]").innerText();
 
-test("twenty pairs, right and wrong, unlike each other, and each can be chosen by its look", async () => {
+test("twenty-four pairs, right and wrong, unlike each other, and each can be chosen by its look", async () => {
   const page = await opened(gallery);
   const pairs = await page.evaluate(() =>
     [...document.querySelectorAll(".mistake .figure.compare")].map((pair) => ({
@@ -28,7 +28,7 @@ test("twenty pairs, right and wrong, unlike each other, and each can be chosen b
       sources: [...pair.querySelectorAll(".panel img")].map((i) => i.getAttribute("src")),
       sizes: [...pair.querySelectorAll(".panel img")].map((i) => i.naturalWidth),
     })));
-  assert.equal(pairs.length, 20);
+  assert.equal(pairs.length, 24);
   for (const { labels, sources, sizes } of pairs) {
     assert.deepEqual(labels, ["right", "wrong"]);
     assert.deepEqual(sizes, [256, 256]);
@@ -36,7 +36,7 @@ test("twenty pairs, right and wrong, unlike each other, and each can be chosen b
     assert.ok(!right.equals(wrong), `${sources}`);
   }
   const links = page.locator(".contact-sheet a");
-  assert.equal(await links.count(), 20);
+  assert.equal(await links.count(), 24);
   await links.nth(4).click();
   const [title, target] = await Promise.all([
     links.nth(4).innerText(),

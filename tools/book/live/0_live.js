@@ -107,3 +107,10 @@ const radians = (angle) => (angle * Math.PI) / 180;
 const polar = (x, y, radius, angle) => [x + radius * Math.cos(angle), y - radius * Math.sin(angle)];
 /** A letter with its index, as in the still drawings. */
 const indexed = (letter, index) => `${letter}<tspan dy="0.36em" font-size="73%">${index}</tspan>`;
+/** A number in [0, 1), always the same for its number. */
+function uniform(number) {
+  let bits = Math.imul(number + 1, 0x9e3779b1);
+  bits = Math.imul(bits ^ (bits >>> 15), 0x85ebca6b);
+  bits = Math.imul(bits ^ (bits >>> 13), 0xc2b2ae35);
+  return ((bits ^ (bits >>> 16)) >>> 0) / 2 ** 32;
+}

@@ -38,9 +38,5 @@ live("idle-lanes", {
 
 /** The number of steps of a path that ends with this chance at each: always the same for its number. */
 function pathLength(number, chance) {
-  let bits = Math.imul(number + 1, 0x9e3779b1);
-  bits = Math.imul(bits ^ (bits >>> 15), 0x85ebca6b);
-  bits = Math.imul(bits ^ (bits >>> 13), 0xc2b2ae35);
-  const u = ((bits ^ (bits >>> 16)) >>> 0) / 2 ** 32;
-  return 1 + Math.floor(Math.log(1 - u) / Math.log(1 - chance));
+  return 1 + Math.floor(Math.log(1 - uniform(number)) / Math.log(1 - chance));
 }
