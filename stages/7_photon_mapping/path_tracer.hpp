@@ -2,7 +2,7 @@
 
 // # Stage 7: photon mapping
 //
-// Under a point light, stage 5 paints a glass ball with a black shadow. Real
+// Under a point light, stage 5 paints a glass ball with a dark shadow. Real
 // glass gathers the light there in a bright spot, a *caustic*. A path from
 // the floor through the ball would have to hit a point, and no path does.
 //
@@ -177,8 +177,8 @@ inline Emission emit(const SphereLight& light, Random& random) {
 //
 // $N$ counts the photons that *leave*. Those that escape through the open
 // front of the box have taken their power with them. To divide by the number
-// of stored photons is a common mistake: then an open box is as bright as a
-// closed one.
+// of stored photons is a common mistake: the lab's box is then four times
+// too dark.
 
 // #region lamps
 /// A light that photons leave.
@@ -495,9 +495,9 @@ inline Vec3 estimate(const PhotonMap& map, const Surface& surface, int most,
 // Which $\alpha$? $R^2$ falls like $i^{\alpha - 1}$, and the variance of a
 // map is about $1/R^2$. So the mean of $n$ maps has the variance
 // $\frac{1}{n^2}\sum i^{1 - \alpha}$, about $n^{-\alpha}$. The bias falls
-// like $R^2$, so its square like $n^{2\alpha - 2}$. Both fall equally fast
-// if $\alpha = 2/3$. The error then falls like $n^{-1/3}$: to halve it takes
-// eight times the maps, where a path tracer takes four times the paths.
+// like $R^2$, so its square like $n^{2\alpha - 2}$. In the end both fall
+// equally fast if $\alpha = 2/3$. The error then falls like $n^{-1/3}$: half
+// of it takes eight times the maps; a path tracer takes four times the paths.
 //
 // ![](bias-and-noise)
 
@@ -594,6 +594,7 @@ class PathTracer {
       // #endregion
     }
   }
+  // #endregion path
 
   // #region render
   /// Takes each pixel's samples, one pass over the picture with each map.
@@ -620,7 +621,6 @@ class PathTracer {
       squared_scale = next_squared_scale(squared_scale, sample + 1);
     }
   }
-  // #endregion render
 
  private:
   using Map = std::shared_ptr<const PhotonMap>;
@@ -670,7 +670,7 @@ class PathTracer {
   float squared_scale_;
   bool paths_go_on_ = false;  ///< for emitters that are not lights
 };
-// #endregion path
+// #endregion render
 
 // `ask_photons` goes out to the `--neighbors`, 50 if not given, but not
 // beyond `--radius`. Here it is in the shadow of the blue ball:
@@ -695,7 +695,6 @@ class PathTracer {
 // *Vertex connection and merging* uses each where it is good (Georgiev et
 // al., ACM TOG 31(6), 2012).
 //
-// Paint the box with `--neighbors 10`, and with `--radius 0.01`: what do you
-// expect?
+// Paint the box with `--neighbors 10`, and with `--radius 0.01`: what happens?
 
 }  // namespace lightwalk::stage7
