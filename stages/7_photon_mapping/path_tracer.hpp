@@ -695,6 +695,6 @@ class PathTracer {
 // *Vertex connection and merging* uses each where it is good (Georgiev et
 // al., ACM TOG 31(6), 2012).
 //
-// Paint the box with `--neighbors 10`, and with `--radius 0.01`: what happens?
+// Paint the box with `--neighbors 10`, then `--radius 0.01`: what happens?
 
 }  // namespace lightwalk::stage7
