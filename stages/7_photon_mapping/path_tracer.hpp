@@ -247,11 +247,11 @@ inline Vec3 photon_power(const Lamp& lamp, int photons) {
 //
 // ![](squeezed-light)
 //
-// `sample` is made for radiance, and has the square. So `power_weight`
-// divides by it. It gets the surface and stage 3's sample. If `next.wi` is
-// behind the surface, the light was refracted. `surface.normal` is on the
-// side that the light came from. Total internal reflection stays in front,
-// and had no square.
+// `sample` has multiplied by the square of `relative_eta(surface)`. So
+// `power_weight` divides by it. It gets the surface and stage 3's sample. If
+// `next.wi` is behind the surface, the light was refracted. `surface.normal`
+// is on the side that the light came from. Total internal reflection stays in
+// front, and had no square.
 //
 // A ball hides the mistake: what goes in comes out, and the two squares
 // cancel. A floor in glass or under water shows it.
@@ -392,7 +392,7 @@ inline PhotonMap trace_photons(const Scene& scene,
 // has an area $A$ with a gamma distribution, and the mean of $1/A$ is
 // $\lambda/(k - 1)$. So $k - 1$ photons over $A$ have the mean $\lambda$.
 // `walk` visits photons *nearer* than the limit, so the rim is left out. The
-// relative variance is $1/(k - 2)$: with 50 photons the noise is 14 %.
+// relative variance is $1/(k - 2)$: by the box, 50 photons have 14 % noise.
 //
 // ![](density-estimate)
 //
@@ -523,12 +523,13 @@ inline double next_squared_scale(double squared_scale, std::uint32_t maps) {
 // the photons are asked, and nothing is divided by a probability. Together
 // they bring all light of the lamps by the diffuse lobe. So a diffuse event
 // ends the path, and only mirrors and glass lead on. An emitter that they
-// lead to counts: the photons that came by the delta lobes were not stored.
+// lead to counts: there no light was asked, and no photon was stored.
 //
 // But no photon starts on a plane that emits: it has no end. Its light, and
-// that of triangles, is found as in stage 5, by paths that go on. Such a path
-// has `gathered`: it asks no more, and the lamps that it meets do not count.
-// That is stage 2's rule `already_counted`, with `gathered` for the flag.
+// that of triangles, is found as in stage 5: where there are any,
+// `paths_go_on_` is true, and a diffuse event does not end the path. From
+// then on it has `gathered`, also behind mirrors: it asks no more, and
+// `already_counted` keeps out the lamps that it meets.
 //
 // Write the end of the loop, after the emitters. `ask_photons(surface,
 // bounce)` gives the photons' radiance.
@@ -594,9 +595,7 @@ class PathTracer {
       // #endregion
     }
   }
-  // #endregion path
 
-  // #region render
   /// Takes each pixel's samples, one pass over the picture with each map.
   static void render(const Scene& scene, const RenderSettings& settings,
                      Film& film, const std::atomic<bool>& stop,
@@ -670,7 +669,7 @@ class PathTracer {
   float squared_scale_;
   bool paths_go_on_ = false;  ///< for emitters that are not lights
 };
-// #endregion render
+// #endregion path
 
 // `ask_photons` goes out to the `--neighbors`, 50 if not given, but not
 // beyond `--radius`. Here it is in the shadow of the blue ball:

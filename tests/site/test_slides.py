@@ -39,8 +39,8 @@ class Slides(Copy):
         self.assert_refused("slides", "slides/2_next_event.md:", "Missing close brace")
 
     def test_a_name_that_is_not_in_the_code(self):
-        self.change("slides/2_next_event.md", "We call it `intensity`", "We call it `power`")
-        self.assert_refused("slides", "`power` is not in the code")
+        self.change("slides/2_next_event.md", "We call it `intensity`", "We call it `wattage`")
+        self.assert_refused("slides", "`wattage` is not in the code")
 
     def test_a_slide_whose_notes_have_no_time(self):
         self.change("slides/2_next_event.md", "2 min\nThe only light", "The only light")
@@ -70,7 +70,7 @@ class Slides(Copy):
         self.assert_refused("slides", "plans.toml: 'Two sessions', session 1: no slide", "'Random digits'")
 
     def test_a_session_that_takes_too_long(self):
-        self.change("slides/plans.toml", "minutes = 90", "minutes = 60")
+        self.change("slides/plans.toml", "minutes = 90\nfrom_the_start", "minutes = 60\nfrom_the_start")
         self.assert_refused("slides", "'Five sessions', session 1: takes", "not 60")
 
     def test_a_link_to_a_region_that_there_is_not(self):
