@@ -233,6 +233,43 @@ TEST_CASE("by emitters that are no lights, every sample is stage 5's") {
   }
 }
 
+// A path that goes on for the light of a plane has gathered the lamp's at its
+// first diffuse vertex. So with the same random numbers, plane and lamp
+// together bring the sum of what each brings alone. A black ceiling stands for
+// one that does not shine, and ends paths and photons as well.
+TEST_CASE(
+    "a lamp beside a shining plane is asked once, also behind mirrors") {
+  const auto box = [](const std::string& ceiling, const std::string& lamp) {
+    return scene_text(
+        "[materials]\nwall = { kd = 0.5, ks = 0.4 }\nceiling = " + ceiling +
+        "\n" + text::plane("0, 1, 0", "1", "wall") +
+        text::plane("0, 0, -1", "1", "wall") +
+        text::plane("0, 0, 1", "1", "wall") +
+        text::plane("0, -1, 0", "1", "ceiling") +
+        text::point_light("0, 0.3, 0", lamp));
+  };
+  const Scene both = box("{ ke = 1 }", "3");
+  const Scene plane = box("{ ke = 1 }", "1e-20");
+  const Scene lamp = box("{ kd = 0 }", "3");
+  const RenderSettings settings = with_photons(2000, 20, 20);
+  const PathTracer of_both(both, settings), of_plane(plane, settings),
+      of_lamp(lamp, settings);
+  const Ray slanted{{0.1f, 0.2f, -0.3f}, {0.36f, -0.48f, 0.8f}};
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    Random random(5, 0, i);
+    Random again = random, once_more = random;
+    const Vec3 sum = of_plane.radiance(slanted, again) +
+                     of_lamp.radiance(slanted, once_more);
+    const Vec3 actual = of_both.radiance(slanted, random);
+    if (max_abs_component(actual - sum) > 1e-4f * max_component(sum)) {
+      FAIL_CHECK("sample " << i << " is " << text_of(actual)
+                           << ", and plane and lamp alone bring "
+                           << text_of(sum));
+      break;
+    }
+  }
+}
+
 // Where the disk hangs over an edge, light is missing. By the cone, the mean
 // of |x| over the disk is r/pi, and half of it hangs over: along each edge a
 // strip of r/(2 pi) is lost. The box has walls of 2 x 2, and no edge at its
